@@ -26,7 +26,7 @@ fn cases() -> [(&'static str, Law, f64); 3] {
 }
 
 #[test]
-fn the_counter_counts() {
+fn allocation_counter_counts() {
     let counted = measure(|| drop(black_box(Vec::<f64>::with_capacity(10))));
     assert_eq!((counted.count_total, counted.bytes_total), (1, 80));
 }

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// The floors of the drawing in src/README.md, the lowest first: the folders (and single files) of `src`. Each may use
 /// itself and those on floors below it; those on one floor do not use each other.
-fn floors() -> Vec<Vec<String>> {
+fn layers() -> Vec<Vec<String>> {
     let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/README.md")).unwrap();
     let drawing = page.split("```text\n").nth(1).unwrap().split("```").next().unwrap();
     let names = |line: &str| line.split("  ").next().unwrap().split(' ').map(str::to_owned).collect();
@@ -46,7 +46,7 @@ fn sources() -> Vec<Source> {
             }
             // the command uses the library by the name of its crate
             let text = fs::read_to_string(path).unwrap().replace("plm_impact::", "crate::");
-            Source { module, code: stripped(&text) }
+            Source { module, code: without_comments_and_strings(&text) }
         })
         .collect()
 }
@@ -63,7 +63,7 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
 }
 
 /// The code without line comments, string literals and the tests at its end.
-fn stripped(text: &str) -> String {
+fn without_comments_and_strings(text: &str) -> String {
     let code = text.split("#[cfg(test)]\nmod ").next().unwrap();
     let mut out = String::new();
     for line in code.lines() {
@@ -163,7 +163,7 @@ fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
 
 #[test]
 fn folders_use_only_lower_layers() {
-    let floors = floors();
+    let floors = layers();
     let place =
         |module: &Module| module.first().and_then(|folder| floors.iter().position(|floor| floor.contains(folder)));
     let mut wrong = Vec::new();
@@ -186,7 +186,7 @@ fn folders_use_only_lower_layers() {
 }
 
 #[test]
-fn no_files_form_a_circle() {
+fn file_dependencies_are_acyclic() {
     let graph = graph();
     // files that reach each other are in one circle
     let reach: BTreeMap<&Module, BTreeSet<&Module>> = graph
@@ -216,7 +216,7 @@ fn no_files_form_a_circle() {
 
 /// A test of the reader itself.
 #[test]
-fn a_use_tree_is_read_to_its_leaves() {
+fn use_trees_are_expanded() {
     let code = "pub use a::B;\npub(crate) use crate::law::{\n    self, Law, curve::{Piece, Shape as S},\n};\nlet x = m::f(super::y);";
     let found = |public: bool| -> Vec<String> {
         let kept = paths(code).into_iter().filter(|(of, path)| *of == public && path.contains("::"));

@@ -61,7 +61,7 @@ fn the_header_is_that_of_the_source() {
 }
 
 /// The library that this test is linked with, as cargo says it. `built` is the folder of what is built, `debug` or `release`.
-fn linked(built: &Path) -> String {
+fn linked_library(built: &Path) -> String {
     let release = built.ends_with("release").then_some("--release");
     let cargo = Command::new(env!("CARGO"))
         .current_dir(root())
@@ -87,7 +87,7 @@ fn libraries() -> [PathBuf; 2] {
     fs::write(&source, "pub use plm_impact::doors::c::*;").unwrap();
     let made = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
         .args(["--edition", "2024", "--crate-type", "staticlib,cdylib", "--extern"])
-        .arg(format!("plm_impact={}", linked(built)))
+        .arg(format!("plm_impact={}", linked_library(built)))
         .arg("-L")
         .arg(format!("dependency={}", built.join("deps").display()))
         .args([Path::new("--out-dir"), folder, &source])
@@ -98,7 +98,7 @@ fn libraries() -> [PathBuf; 2] {
 }
 
 /// The bits of numbers as the C program prints them.
-fn words(numbers: &[f64]) -> String {
+fn hex_words(numbers: &[f64]) -> String {
     numbers.iter().map(|number| format!("{:016x}", number.to_bits())).collect::<Vec<_>>().join(" ")
 }
 
@@ -119,7 +119,7 @@ fn along_the_path(contact: &Contact) -> Vec<String> {
             let stiffness = contact.stiffness(indentation, &memory);
             let force = contact.force(indentation, &mut memory);
             let energy = contact.energy(indentation, force, &memory);
-            words(&[stiffness, force, energy.stored, energy.plastic])
+            hex_words(&[stiffness, force, energy.stored, energy.plastic])
         })
         .collect()
 }
@@ -138,7 +138,7 @@ fn friction_along_the_path(contact: &Contact) -> String {
         ));
         before = indentation;
         if step % 50 == 49 {
-            writeln!(text, "friction {}", words(&history)).unwrap();
+            writeln!(text, "friction {}", hex_words(&history)).unwrap();
         }
     }
     text
@@ -234,8 +234,8 @@ fn c_program_prints_bits_of_library() {
     assert!(impact.strain_rate_result.unwrap().factor > 1.1);
     let (rated, mut memory) = (rated.at_speed(3.0).unwrap(), Memory::default());
     let forces = [30e-6, 29e-6].map(|indentation| rated.force(indentation, &mut memory));
-    let of_rate = words(&[impact.contact_time, impact.restitution, forces[0], forces[1]]);
-    let of_sphere = words(&[contact.sphere().radius, contact.mass(), contact.yield_speed().unwrap()]);
+    let of_rate = hex_words(&[impact.contact_time, impact.restitution, forces[0], forces[1]]);
+    let of_sphere = hex_words(&[contact.sphere().radius, contact.mass(), contact.yield_speed().unwrap()]);
     // the messages of the bad scenarios that the program tried, in its order
     let errors = printed[expected.len()..].join("\n");
     for words in [

@@ -143,7 +143,7 @@ impl Clone {
 
 /// The page for who changes the program names files and folders that are there, by their path in the repository or in `src`.
 #[test]
-fn the_architecture_names_files_that_are_there() {
+fn architecture_page_names_existing_files() {
     let page = read("src/README.md");
     let is_path = |name: &&str| name.contains('/') && !name.contains([' ', '{', '"']);
     let paths: Vec<_> = page.split('`').skip(1).step_by(2).filter(is_path).collect();

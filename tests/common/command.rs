@@ -14,9 +14,9 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 /// A directory with a scenario in it, `s.toml`.
-pub struct Desk(TempDir);
+pub struct Sandbox(TempDir);
 
-impl Desk {
+impl Sandbox {
     pub fn with(scenario: impl AsRef<[u8]>) -> Self {
         let desk = Self(TempDir::new().unwrap());
         fs::write(desk.path("s.toml"), scenario).unwrap();
@@ -24,7 +24,7 @@ impl Desk {
     }
 
     /// Writes a file, with the folders to it.
-    pub fn put(&self, name: &str, content: impl AsRef<[u8]>) {
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
         fs::create_dir_all(self.path(name).parent().unwrap()).unwrap();
         fs::write(self.path(name), content).unwrap();
     }
@@ -33,12 +33,12 @@ impl Desk {
         self.0.path().join(name)
     }
 
-    pub fn call(&self, arguments: &[&str]) -> Output {
-        call(self.0.path(), arguments)
+    pub fn run(&self, arguments: &[&str]) -> Output {
+        run_in(self.0.path(), arguments)
     }
 
     /// Calls the command with a text on standard input.
-    pub fn fed(&self, arguments: &[&str], input: &str) -> Output {
+    pub fn run_with_stdin(&self, arguments: &[&str], input: &str) -> Output {
         let mut command = command(self.0.path(), arguments);
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();
@@ -49,8 +49,8 @@ impl Desk {
 
     /// Calls the command, which has to end with this exit code; returns standard output and standard error.
     #[track_caller]
-    pub fn ends(&self, arguments: &[&str], code: i32) -> (String, String) {
-        let output = self.call(arguments);
+    pub fn run_expecting(&self, arguments: &[&str], code: i32) -> (String, String) {
+        let output = self.run(arguments);
         let said = (text(&output.stdout), text(&output.stderr));
         assert_eq!(output.status.code(), Some(code), "{arguments:?}: {said:?}");
         said
@@ -58,9 +58,9 @@ impl Desk {
 
     /// Runs a scenario into the folder `out`, without pictures.
     #[track_caller]
-    pub fn ran(scenario: impl AsRef<[u8]>) -> Self {
+    pub fn with_results(scenario: impl AsRef<[u8]>) -> Self {
         let desk = Self::with(scenario);
-        desk.ends(&["run", "s.toml", "--out", "out", "--quiet", "--pictures", "none"], 0);
+        desk.run_expecting(&["run", "s.toml", "--out", "out", "--quiet", "--pictures", "none"], 0);
         desk
     }
 
@@ -106,12 +106,12 @@ pub fn outcome(scenario: &Scenario) -> Outcome {
 }
 
 /// The text of one of its files.
-pub fn file_of(outcome: &Outcome, name: &str) -> String {
+pub fn text_of_file(outcome: &Outcome, name: &str) -> String {
     text(&outcome.files.iter().find(|file| file.name == name).unwrap().bytes)
 }
 
 /// Calls the command in a directory.
-pub fn call(directory: &Path, arguments: &[&str]) -> Output {
+pub fn run_in(directory: &Path, arguments: &[&str]) -> Output {
     command(directory, arguments).output().unwrap()
 }
 

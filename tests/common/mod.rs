@@ -40,7 +40,7 @@ speed = "3 m/s"
 "#;
 
 /// No overrides.
-pub const NONE: &[&str] = &[];
+pub const NO_OVERRIDES: &[&str] = &[];
 
 /// The scenario of this text, with these overrides.
 pub fn read(text: &str, set: &[impl ToString]) -> Scenario {
@@ -73,7 +73,7 @@ pub const STEPPING: [(Method, f64); 3] = [(Method::Rk8, 10.0), (Method::Dopri5, 
 
 /// Settings of a property test: `count` random cases, which are the same in every run. For a wider search, set other
 /// cases by `PROPTEST_RNG_SEED` and their number by `PROPTEST_CASES`.
-pub fn cases(count: u32) -> Config {
+pub fn proptest_config(count: u32) -> Config {
     let from_environment = Config::default();
     let rng_seed = match from_environment.rng_seed {
         RngSeed::Random => RngSeed::Fixed(2024),
@@ -85,13 +85,13 @@ pub fn cases(count: u32) -> Config {
 
 /// Checks a property on `count` random cases, and returns in how many of them it could be judged: `property` is true
 /// where it was, and false where the case has no answer.
-pub fn checked<S: Strategy>(
+pub fn check_property<S: Strategy>(
     count: u32,
     strategy: &S,
     property: impl Fn(S::Value) -> Result<bool, TestCaseError>,
 ) -> usize {
     let judged = Cell::new(0);
-    let mut runner = TestRunner::new(cases(count));
+    let mut runner = TestRunner::new(proptest_config(count));
     let result = runner.run(strategy, |case| {
         judged.set(judged.get() + usize::from(property(case)?));
         Ok(())
@@ -101,7 +101,7 @@ pub fn checked<S: Strategy>(
 }
 
 /// A result, unless the law has no answer there: a property test leaves such a case out.
-pub fn held<T>(result: Result<T, ImpactError>) -> Result<T, TestCaseError> {
+pub fn skip_if_law_has_no_answer<T>(result: Result<T, ImpactError>) -> Result<T, TestCaseError> {
     result.map_err(|error| match error {
         ImpactError::TooDeep { .. } | ImpactError::Law(_) => TestCaseError::reject(error.to_string()),
         _ => TestCaseError::fail(error.to_string()),
@@ -114,7 +114,7 @@ pub fn solver(method: Method, tolerance: f64) -> Solver {
 }
 
 /// The closed form of an impact on a spot, which then remembers it.
-pub fn shot(contact: &Contact, spot: &mut Spot, speed: f64) -> Impact {
+pub fn closed_form_on_spot(contact: &Contact, spot: &mut Spot, speed: f64) -> Impact {
     contact.impact_on(spot, speed, &solver(Method::ClosedForm, 1e-10), None).unwrap()
 }
 
@@ -133,30 +133,30 @@ pub fn run<'a>(
 }
 
 /// |got/want − 1|.
-pub fn off(got: f64, want: f64) -> f64 {
+pub fn relative_error(got: f64, want: f64) -> f64 {
     (got / want - 1.0).abs()
 }
 
 /// The largest relative error among restitution, contact time, loading time and peak force.
-pub fn worst(got: &ScaledResult, want: &ScaledResult) -> f64 {
+pub fn max_relative_error_of_outcomes(got: &ScaledResult, want: &ScaledResult) -> f64 {
     [
-        off(got.restitution, want.restitution),
-        off(got.contact_time, want.contact_time),
-        off(got.loading_time, want.loading_time),
-        off(got.unloading.peak.force, want.unloading.peak.force),
+        relative_error(got.restitution, want.restitution),
+        relative_error(got.contact_time, want.contact_time),
+        relative_error(got.loading_time, want.loading_time),
+        relative_error(got.unloading.peak.force, want.unloading.peak.force),
     ]
     .into_iter()
     .fold(0.0, nan_max)
 }
 
 /// The largest relative error among restitution, times, peak force and peak indentation of two impacts.
-pub fn apart(got: &Impact, want: &Impact) -> f64 {
+pub fn max_relative_error(got: &Impact, want: &Impact) -> f64 {
     [
-        off(got.restitution, want.restitution),
-        off(got.contact_time, want.contact_time),
-        off(got.loading_time, want.loading_time),
-        off(got.peak_force, want.peak_force),
-        off(got.peak_indentation, want.peak_indentation),
+        relative_error(got.restitution, want.restitution),
+        relative_error(got.contact_time, want.contact_time),
+        relative_error(got.loading_time, want.loading_time),
+        relative_error(got.peak_force, want.peak_force),
+        relative_error(got.peak_indentation, want.peak_indentation),
     ]
     .into_iter()
     .fold(0.0, nan_max)
@@ -164,7 +164,7 @@ pub fn apart(got: &Impact, want: &Impact) -> f64 {
 
 /// An integral to about 14 digits, also where the integrand has the singularity of a root at an end: the trapezoidal rule in
 /// t, with x = from + length/(1 + exp(−π sinh t)) (Takahasi and Mori 1974).
-pub fn integral(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub fn tanh_sinh_reference(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
     const STEP: f64 = 1.0 / 32.0;
     let length = to - from;
     let term = |i: i32| {
@@ -218,18 +218,18 @@ impl Scene {
     }
 
     pub fn try_contact(&self) -> Result<Contact, ImpactError> {
-        let (sphere, half_space) = self.parts();
+        let (sphere, half_space) = self.bodies();
         Contact::try_new(sphere, half_space, &Plm { exponent: self.exponent, ..Plm::default() })
     }
 
-    pub fn parts(&self) -> (Sphere, HalfSpace) {
+    pub fn bodies(&self) -> (Sphere, HalfSpace) {
         let half_space = HalfSpace::flat(self.half_space, self.yield_strength);
         (Sphere::elastic(self.radius, self.sphere, self.density), half_space)
     }
 
     /// The contact under another law than that of its exponent.
     pub fn contact_by(&self, law: &dyn ContactLaw) -> Contact {
-        let (sphere, half_space) = self.parts();
+        let (sphere, half_space) = self.bodies();
         Contact::try_new(sphere, half_space, law).unwrap()
     }
 

@@ -44,6 +44,6 @@ pub use super::run;
 pub use super::*;
 
 /// The number that an input has for this key.
-pub fn given(input: &Input, path: &str) -> Option<f64> {
+pub fn number_of_key(input: &Input, path: &str) -> Option<f64> {
     NumericKey::find(path).unwrap().get(input)
 }

@@ -34,13 +34,13 @@ impl Row {
     }
 
     /// A number; none where the cell is empty.
-    pub fn maybe(&self, column: &str) -> Option<f64> {
+    pub fn optional_number(&self, column: &str) -> Option<f64> {
         self.0.get(column).map(|cell| cell.parse().unwrap_or_else(|_| panic!("{column} of {self:?}")))
     }
 
     #[track_caller]
     pub fn number(&self, column: &str) -> f64 {
-        self.maybe(column).unwrap_or_else(|| panic!("{column} of {self:?}"))
+        self.optional_number(column).unwrap_or_else(|| panic!("{column} of {self:?}"))
     }
 
     /// The keys that the row sets, but for those that begin with one of these words.

@@ -37,7 +37,7 @@ use record::{Record, Runs};
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 
 #[test]
-fn no_number_has_moved() {
+fn results_match_the_record() {
     let runs = runs::all();
     let summaries = |run: &runs::Run| record::summaries(&numbers::columns(Path::new(PROGRAM), run));
     let now: Runs = runs.par_iter().map(|run| (run.name.clone(), summaries(run))).collect();
@@ -46,7 +46,7 @@ fn no_number_has_moved() {
     let differences = record::differences(&record::read(&fs::read_to_string(&path).unwrap()), &now);
     // a record whose numbers hold is kept, as its last digits are rounding
     if golden::is_updating() && !differences.is_empty() {
-        return fs::write(&path, record::written(&now)).unwrap();
+        return fs::write(&path, record::to_text(&now)).unwrap();
     }
     refuse(&differences);
 }
@@ -75,12 +75,12 @@ fn runs_of(columns: &Columns) -> Runs {
 
 /// Writes the record of these columns, and reads it back.
 fn recorded(columns: &Columns) -> Record {
-    record::read(&record::written(&runs_of(columns)))
+    record::read(&record::to_text(&runs_of(columns)))
 }
 
 /// The record sees 1e-11 of the largest value in any one value, in any number of rows, and lets 1e-13 of it pass.
 #[test]
-fn a_moved_number_is_seen() {
+fn record_detects_changed_numbers() {
     for rows in [1_u32, 2, 3, 20, 1000, 100_000] {
         let before: Vec<f64> = (0..rows).map(|row| 1e7 * f64::from(row + 1).sqrt().sin()).collect();
         let record = recorded(&numbers_of(&before));

@@ -77,8 +77,8 @@ pub fn columns(program: &Path, run: &Run) -> Columns {
         let mut add = |name: &str, cell| columns.entry((file.clone(), name.to_owned())).or_default().push(cell);
         match path.extension().and_then(|extension| extension.to_str()) {
             Some("csv") => table(&read(), &mut add),
-            Some("json") => tree("", &serde_json::from_str(&read()).unwrap(), &mut add),
-            Some("toml") => tree("", &toml::from_str(&read()).unwrap(), &mut add),
+            Some("json") => json_numbers("", &serde_json::from_str(&read()).unwrap(), &mut add),
+            Some("toml") => json_numbers("", &toml::from_str(&read()).unwrap(), &mut add),
             _ => {}
         }
     }
@@ -105,17 +105,17 @@ fn table(text: &str, add: &mut impl FnMut(&str, Cell)) {
 }
 
 /// The number of entries of a list is a number too.
-fn tree(path: &str, value: &Value, add: &mut impl FnMut(&str, Cell)) {
+fn json_numbers(path: &str, value: &Value, add: &mut impl FnMut(&str, Cell)) {
     match value {
         Value::Object(keys) => {
             for (key, value) in keys.iter().filter(|(key, _)| !NOT_RESULTS.contains(&key.as_str())) {
-                tree(&inside(path, key), value, add);
+                json_numbers(&join_path(path, key), value, add);
             }
         }
         Value::Array(entries) => {
-            add(&inside(path, "length"), Cell::Number(u32::try_from(entries.len()).unwrap().into()));
+            add(&join_path(path, "length"), Cell::Number(u32::try_from(entries.len()).unwrap().into()));
             for entry in entries {
-                tree(&format!("{path}[]"), entry, add);
+                json_numbers(&format!("{path}[]"), entry, add);
             }
         }
         Value::Number(number) => add(path, finite(number.as_f64().unwrap())),
@@ -130,7 +130,7 @@ fn finite(number: f64) -> Cell {
     if number.is_finite() { Cell::Number(number) } else { Cell::Word(number.to_string()) }
 }
 
-fn inside(path: &str, key: &str) -> String {
+fn join_path(path: &str, key: &str) -> String {
     if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
 }
 

@@ -113,7 +113,7 @@ pub fn differences(record: &Record, now: &Runs) -> Vec<String> {
                 None => Some("is missing".to_owned()),
                 Some(after) => {
                     let loose = LOOSE.iter().find(|(part, _)| *part == name || run.starts_with(part));
-                    moved(before, after, loose.map_or(TOLERANCE, |(_, tolerance)| *tolerance))
+                    change(before, after, loose.map_or(TOLERANCE, |(_, tolerance)| *tolerance))
                 }
             };
             differences.extend(what.map(|what| format!("{run} · {file} · {name}: {what}")));
@@ -125,7 +125,7 @@ pub fn differences(record: &Record, now: &Runs) -> Vec<String> {
 }
 
 /// How much a column moved, if that is more than the tolerance.
-fn moved(before: &Summary, after: &Column, tolerance: f64) -> Option<String> {
+fn change(before: &Summary, after: &Column, tolerance: f64) -> Option<String> {
     let apart = |was: f64, is: f64, scale: f64| {
         let share = (is - was).abs() / scale;
         (share > tolerance).then(|| format!("{is:?} instead of {was:?}: a difference of {share:.1e}"))
@@ -167,7 +167,7 @@ pub fn read(text: &str) -> Record {
 }
 
 /// The text of the record, with a line for each file of a run.
-pub fn written(runs: &Runs) -> String {
+pub fn to_text(runs: &Runs) -> String {
     let mut files: BTreeMap<(&str, &str), BTreeMap<&str, &Summary>> = BTreeMap::new();
     for (run, columns) in runs {
         for ((file, name), column) in columns {

@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 
 /// Waits until something is so, sends a running command this signal, and gives its output.
 #[cfg(unix)]
-fn signalled(mut child: Child, is_so: impl Fn() -> bool, signal: &str) -> Output {
+fn output_after_signal(mut child: Child, is_so: impl Fn() -> bool, signal: &str) -> Output {
     wait(&mut child, is_so);
     if child.try_wait().unwrap().is_none() {
         Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();

@@ -31,9 +31,9 @@ samples = 70_000
 "#;
 
 /// Runs a sweep, which ends with this code.
-fn run(tables: &str, code: i32, arguments: &[&str]) -> Desk {
-    let desk = Desk::with(format!("{BASE}{tables}"));
-    desk.ends(&[&["run", "s.toml", "--out", "out", "--pictures", "none"], arguments].concat(), code);
+fn run(tables: &str, code: i32, arguments: &[&str]) -> Sandbox {
+    let desk = Sandbox::with(format!("{BASE}{tables}"));
+    desk.run_expecting(&[&["run", "s.toml", "--out", "out", "--pictures", "none"], arguments].concat(), code);
     desk
 }
 

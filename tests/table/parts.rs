@@ -31,7 +31,7 @@ fn random() -> String {
 }
 
 /// The command on this scenario, with parts of `rows_per_part` rows.
-fn run(desk: &Desk, out: &str, rows_per_part: Option<u32>, more: &[&str]) -> Command {
+fn run(desk: &Sandbox, out: &str, rows_per_part: Option<u32>, more: &[&str]) -> Command {
     let mut command = Command::new(PROGRAM);
     command
         .current_dir(desk.path(""))
@@ -51,7 +51,7 @@ fn ends(mut command: Command, want: i32) -> String {
 }
 
 /// The bytes of all files of a table: of the one file, or of the parts.
-fn bytes(desk: &Desk, out: &str) -> Vec<u8> {
+fn bytes(desk: &Sandbox, out: &str) -> Vec<u8> {
     let parts = desk.path(out).join("parts");
     if !parts.exists() {
         let file = |name: &str| fs::read(desk.path(out).join(name)).unwrap_or_default();
@@ -62,7 +62,7 @@ fn bytes(desk: &Desk, out: &str) -> Vec<u8> {
 }
 
 /// `summary.json` without the command line.
-fn summary(desk: &Desk, out: &str) -> serde_json::Value {
+fn summary(desk: &Sandbox, out: &str) -> serde_json::Value {
     let mut summary: serde_json::Value = serde_json::from_str(&desk.read(&format!("{out}/summary.json"))).unwrap();
     summary["provenance"].as_object_mut().unwrap().remove("command").unwrap();
     summary
@@ -73,7 +73,7 @@ const FORMATS: [&str; 2] = ["csv", "parquet"];
 #[test]
 fn threads_parts_and_shards_give_identical_tables() {
     for scenario in [grid(), random()] {
-        let desk = Desk::with(&scenario);
+        let desk = Sandbox::with(&scenario);
         ends(run(&desk, "whole", None, &[]), 0);
         for (threads, rows) in [("1", 600), ("2", 600), ("7", 601)] {
             ends(run(&desk, threads, Some(rows), &["--threads", threads]), 0);
@@ -102,7 +102,7 @@ fn threads_parts_and_shards_give_identical_tables() {
 type Files = BTreeMap<String, Vec<u8>>;
 
 /// The files in `out` and `out/parts`. Hidden ones are not in their places.
-fn files(desk: &Desk) -> Files {
+fn files(desk: &Sandbox) -> Files {
     let mut files = Files::new();
     for folder in ["out", "out/parts"].into_iter().filter(|folder| desk.path(folder).exists()) {
         let names = desk.files(folder).into_iter().map(|name| format!("{folder}/{name}"));
@@ -114,7 +114,7 @@ fn files(desk: &Desk) -> Files {
 }
 
 /// Makes these runs one after the other, and returns the files in `out`.
-fn after(desk: &Desk, runs: &[&[&str]]) -> Files {
+fn after(desk: &Sandbox, runs: &[&[&str]]) -> Files {
     for more in runs {
         ends(run(desk, "out", Some(2), more), 0);
     }
@@ -122,17 +122,17 @@ fn after(desk: &Desk, runs: &[&[&str]]) -> Files {
 }
 
 /// Makes these runs beside files that are there, and returns all files.
-fn made(desk: &Desk, there: &Files, runs: &[&[&str]]) -> Files {
+fn made(desk: &Sandbox, there: &Files, runs: &[&[&str]]) -> Files {
     drop(fs::remove_dir_all(desk.path("out")));
     for (name, bytes) in there {
-        desk.put(name, bytes);
+        desk.write(name, bytes);
     }
     after(desk, runs)
 }
 
 /// Kills the first runs after their first change of the disk, after the second, and so on until they are through. Each time all
 /// runs follow. Files that are `there` before give way; `between` are others that the runs make and remove.
-fn killed_after_every_change(desk: &Desk, there: &Files, between: &Files, first: &[&[&str]], all: &[&[&str]]) {
+fn killed_after_every_change(desk: &Sandbox, there: &Files, between: &Files, first: &[&[&str]], all: &[&[&str]]) {
     let last = made(desk, there, all);
     for change in 1.. {
         made(desk, there, &[]);
@@ -162,17 +162,17 @@ fn killed_after_every_change(desk: &Desk, there: &Files, between: &Files, first:
 fn table_survives_a_kill_at_every_disk_change() {
     let none = Files::new();
     // older results of the same file, before it was edited
-    let older_results = |desk: &Desk, more: &[&str]| {
+    let older_results = |desk: &Sandbox, more: &[&str]| {
         let text = desk.read("s.toml");
         fs::write(desk.path("s.toml"), text.replace("5 mm", "4 mm")).unwrap();
         let older = made(desk, &none, &[more]);
         fs::write(desk.path("s.toml"), text).unwrap();
         older
     };
-    let impact = Desk::with(STEEL);
+    let impact = Sandbox::with(STEEL);
     let older = older_results(&impact, &[]);
     killed_after_every_change(&impact, &older, &none, &[&[]], &[&[]]);
-    let desk = Desk::with(random().replace("12000", "8"));
+    let desk = Sandbox::with(random().replace("12000", "8"));
     for format in FORMATS.map(|format| ["--format", format]) {
         // as one file, in place of an older one
         let older = older_results(&desk, &format);
@@ -190,7 +190,7 @@ fn table_survives_a_kill_at_every_disk_change() {
 fn a_torn_part_is_computed_anew() {
     for format in FORMATS {
         let more = ["--format", format];
-        let desk = Desk::with(grid());
+        let desk = Sandbox::with(grid());
         let shard = |out: &str, set: &[&str]| {
             ends(run(&desk, out, Some(500), &[&more[..], &["--shard", "0/2"], set].concat()), 0);
         };
@@ -216,7 +216,7 @@ fn a_torn_part_is_computed_anew() {
 
 #[test]
 fn parts_of_other_table_are_refused() {
-    let desk = Desk::with(grid());
+    let desk = Sandbox::with(grid());
     ends(run(&desk, "out", Some(500), &["--shard", "0/2"]), 0);
     let refused = |rows: u32, more: &[&str], wanted: &str| {
         let message = ends(run(&desk, "out", Some(rows), more), 2);
@@ -249,7 +249,7 @@ fn parts_of_other_table_are_refused() {
 
 #[test]
 fn a_table_that_was_put_together_is_kept() {
-    let desk = Desk::with(random());
+    let desk = Sandbox::with(random());
     ends(run(&desk, "out", Some(500), &[]), 0);
     assert_eq!(desk.files("out"), ["_table.json", "summary.json", "table.csv"]);
     let table = || fs::metadata(desk.path("out/table.csv")).unwrap().ino();
@@ -277,7 +277,7 @@ fn a_table_that_was_put_together_is_kept() {
 
 #[test]
 fn other_run_of_same_scenario_removes_table_files() {
-    let desk = Desk::with(random());
+    let desk = Sandbox::with(random());
     ends(run(&desk, "out", Some(500), &[]), 0);
     assert_eq!(desk.files("out"), ["_table.json", "summary.json", "table.csv"]);
     // the same file as one impact
@@ -301,7 +301,7 @@ fn other_run_of_same_scenario_removes_table_files() {
 
 #[test]
 fn shards_that_cannot_be_are_refused() {
-    let desk = Desk::with(grid());
+    let desk = Sandbox::with(grid());
     for (shard, wanted) in
         [("3/2", "counted from 0"), ("0/0", "no shards of 0"), ("0/1000000000", "100000"), ("x", "i/n")]
     {
@@ -313,7 +313,7 @@ fn shards_that_cannot_be_are_refused() {
 
 #[test]
 fn slurm_array_task_is_a_shard() {
-    let desk = Desk::with(grid());
+    let desk = Sandbox::with(grid());
     let parts = |out: &str, more: &[&str], task: Option<[&str; 4]>| {
         let mut command = run(&desk, out, Some(2000), more);
         let names = ["ID", "COUNT", "MIN", "STEP"].map(|name| format!("SLURM_ARRAY_TASK_{name}"));

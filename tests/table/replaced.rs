@@ -19,24 +19,24 @@ fn other_png() -> Vec<u8> {
 #[test]
 fn pictures_of_other_programs_are_kept() {
     for mine in [other_png(), b"\x89PNG\r\n\x1a\nmine".to_vec()] {
-        let desk = Desk::with(STEEL);
-        desk.put("o/history.png", &mine);
-        let said = desk.ends(&RUN, 2).1;
+        let desk = Sandbox::with(STEEL);
+        desk.write("o/history.png", &mine);
+        let said = desk.run_expecting(&RUN, 2).1;
         assert!(said.contains("o/history.png: exists, and is no result of this program"), "{said}");
         assert_eq!((fs::read(desk.path("o/history.png")).unwrap(), desk.files("o").len()), (mine, 1));
-        desk.ends(&[&RUN[..], &["--force"]].concat(), 0);
+        desk.run_expecting(&[&RUN[..], &["--force"]].concat(), 0);
         // without its summary, as after a kill, a picture of this program is known by its form
         fs::remove_file(desk.path("o/summary.json")).unwrap();
-        desk.ends(&RUN, 0);
+        desk.run_expecting(&RUN, 0);
     }
 }
 
 #[test]
 fn earlier_summary_protects_files_outside_its_list() {
-    let desk = Desk::with(STEEL);
-    desk.ends(&[&RUN[..], &["--pictures", "none"]].concat(), 0);
-    desk.put("o/history.png", "mine");
-    let said = desk.ends(&RUN, 2).1;
+    let desk = Sandbox::with(STEEL);
+    desk.run_expecting(&[&RUN[..], &["--pictures", "none"]].concat(), 0);
+    desk.write("o/history.png", "mine");
+    let said = desk.run_expecting(&RUN, 2).1;
     assert!(said.contains("o/history.png: exists, and is no result"), "{said}");
     assert_eq!(desk.read("o/history.png"), "mine");
     assert_eq!(desk.files("o"), ["history.png", "summary.json", "trace.csv"]);
@@ -44,113 +44,113 @@ fn earlier_summary_protects_files_outside_its_list() {
 
 #[test]
 fn a_parquet_table_of_another_program_is_kept() {
-    let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
+    let desk = Sandbox::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let run = [&RUN[..], &["--format", "parquet", "--pictures", "none"]].concat();
-    desk.ends(&run, 0);
+    desk.run_expecting(&run, 0);
     let own = fs::read(desk.path("o/table.parquet")).unwrap();
     let begin = own.windows(10).rposition(|bytes| bytes == b"plm-impact").unwrap();
     let mut other = own.clone();
     other[begin..begin + 10].copy_from_slice(b"parquet-rs");
     for mine in [other, b"PAR1 mine".to_vec()] {
         fs::remove_dir_all(desk.path("o")).unwrap();
-        desk.put("o/table.parquet", &mine);
-        let said = desk.ends(&run, 2).1;
+        desk.write("o/table.parquet", &mine);
+        let said = desk.run_expecting(&run, 2).1;
         assert!(said.contains("o/table.parquet: exists, and is no result"), "{said}");
         assert!(fs::read(desk.path("o/table.parquet")).unwrap() == mine);
     }
     fs::remove_dir_all(desk.path("o")).unwrap();
-    desk.put("o/table.parquet", &own);
-    desk.ends(&run, 0);
+    desk.write("o/table.parquet", &own);
+    desk.run_expecting(&run, 0);
 }
 
 #[test]
 fn scenario_files_are_never_removed_or_replaced() {
-    let desk = Desk::with(STEEL);
-    desk.put("d.csv", "speed_m_per_s,restitution\n1,0.6\n2,0.53\n3,0.49\n");
-    desk.ends(&["calibrate", "s.toml", "d.csv", "--out", "o", "--pictures", "none"], 0);
+    let desk = Sandbox::with(STEEL);
+    desk.write("d.csv", "speed_m_per_s,restitution\n1,0.6\n2,0.53\n3,0.49\n");
+    desk.run_expecting(&["calibrate", "s.toml", "d.csv", "--out", "o", "--pictures", "none"], 0);
     let scenario = desk.read("o/calibrated.toml");
     // the scenario is one of the results that give way
-    desk.ends(&["run", "o/calibrated.toml", "--out", "o", "--force", "--pictures", "none"], 0);
+    desk.run_expecting(&["run", "o/calibrated.toml", "--out", "o", "--force", "--pictures", "none"], 0);
     assert_eq!(desk.read("o/calibrated.toml"), scenario);
     // a result of the same name
     let again = ["calibrate", "o/calibrated.toml", "d.csv", "--out", "o", "--force", "--pictures", "none"];
-    let said = desk.ends(&again, 2).1;
+    let said = desk.run_expecting(&again, 2).1;
     assert!(said.contains("o/calibrated.toml: this file belongs to the scenario"), "{said}");
     assert_eq!(desk.read("o/calibrated.toml"), scenario);
     // data that the scenario reads
     let curve = "plastic_strain,stress_Pa\n0,345e6\n0.1,600e6\n";
-    desk.put("p/trace.csv", curve);
-    desk.put("p.toml", STEEL.replace("[impact]", "flow_stress = { table = \"p/trace.csv\" }\n\n[impact]"));
-    let said = desk.ends(&["run", "p.toml", "--out", "p", "--force", "--pictures", "none"], 2).1;
+    desk.write("p/trace.csv", curve);
+    desk.write("p.toml", STEEL.replace("[impact]", "flow_stress = { table = \"p/trace.csv\" }\n\n[impact]"));
+    let said = desk.run_expecting(&["run", "p.toml", "--out", "p", "--force", "--pictures", "none"], 2).1;
     assert!(said.contains("p/trace.csv: this file belongs to the scenario"), "{said}");
     assert_eq!(desk.read("p/trace.csv"), curve);
 }
 
 #[test]
 fn pictures_that_are_removed_are_named() {
-    let desk = Desk::with(STEEL);
-    desk.ends(&RUN, 0);
-    let said = desk.ends(&[&RUN[..], &["--pictures", "none"]].concat(), 0).1;
+    let desk = Sandbox::with(STEEL);
+    desk.run_expecting(&RUN, 0);
+    let said = desk.run_expecting(&[&RUN[..], &["--pictures", "none"]].concat(), 0).1;
     assert!(said.contains("o: removed force_indentation.png, history.png of the run before"), "{said}");
-    let said = desk.ends(&[&RUN[..], &["--pictures", "none"]].concat(), 0).1;
+    let said = desk.run_expecting(&[&RUN[..], &["--pictures", "none"]].concat(), 0).1;
     assert!(!said.contains("removed"), "{said}");
 }
 
 #[test]
 fn table_stays_when_written_in_other_format() {
-    let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
+    let desk = Sandbox::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let run = [&RUN[..], &["--pictures", "none"]].concat();
-    desk.ends(&run, 0);
+    desk.run_expecting(&run, 0);
     let table = desk.read("o/table.csv");
-    let said = desk.ends(&[&run[..], &["--format", "parquet"]].concat(), 0).1;
+    let said = desk.run_expecting(&[&run[..], &["--format", "parquet"]].concat(), 0).1;
     assert!(!said.contains("removed") && desk.read("o/table.csv") == table, "{said}");
     assert_eq!(desk.files("o"), ["summary.json", "table.csv", "table.parquet"]);
     assert_eq!(desk.json("o/summary.json")["provenance"]["files"], json!(["table.parquet", "table.csv"]));
     // a table with older numbers does not stay
     let older = desk.read("o/summary.json").replace("\"numbers_version\": ", "\"numbers_version\": 1000");
-    desk.put("o/summary.json", older);
-    let said = desk.ends(&[&run[..], &["--format", "parquet"]].concat(), 0).1;
+    desk.write("o/summary.json", older);
+    let said = desk.run_expecting(&[&run[..], &["--format", "parquet"]].concat(), 0).1;
     assert!(said.contains("o: removed table.csv of the run before") && !desk.path("o/table.csv").exists(), "{said}");
     // an edited scenario has neither
     fs::write(desk.path("s.toml"), STEEL).unwrap();
-    desk.ends(&run, 0);
+    desk.run_expecting(&run, 0);
     assert_eq!(desk.files("o"), ["summary.json", "trace.csv"]);
 }
 
 /// The parts of a table have no name of their table: none of an older table may stay.
 #[test]
 fn foreign_files_stay_beside_parts_old_parts_go() {
-    let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
+    let desk = Sandbox::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let shard = [&RUN[..], &["--shard", "0/1", "--pictures", "none"]].concat();
-    desk.ends(&shard, 0);
-    desk.put("o/parts/notes.txt", "mine");
+    desk.run_expecting(&shard, 0);
+    desk.write("o/parts/notes.txt", "mine");
     let older = desk.read("o/parts/part-00000.csv");
     fs::write(desk.path("s.toml"), desk.read("s.toml").replace("5 mm", "4 mm").replace("[1, 2]", "[3, 4]")).unwrap();
-    desk.ends(&[&shard[..], &["--force"]].concat(), 0);
+    desk.run_expecting(&[&shard[..], &["--force"]].concat(), 0);
     let newer = desk.read("o/parts/part-00000.csv");
     assert!(newer != older && newer.contains("\n0,3.0,"), "{newer}");
     // the parts become one file
-    desk.ends(&[&RUN[..], &["--pictures", "none"]].concat(), 0);
+    desk.run_expecting(&[&RUN[..], &["--pictures", "none"]].concat(), 0);
     assert_eq!(desk.read("o/table.csv"), newer);
     assert_eq!((desk.files("o/parts"), desk.read("o/parts/notes.txt")), (vec!["notes.txt".to_owned()], "mine".into()));
 }
 
 #[test]
 fn part_read_by_scenario_is_not_removed() {
-    let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
+    let desk = Sandbox::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let curve = "plastic_strain,stress_Pa\n0,345e6\n0.1,600e6\n";
-    desk.put("o/parts/part-00000.csv", curve);
+    desk.write("o/parts/part-00000.csv", curve);
     let scenario = STEEL.replace("[impact]", "flow_stress = { table = \"o/parts/part-00000.csv\" }\n\n[impact]");
-    desk.put("s.toml", scenario);
-    let said = desk.ends(&[&RUN[..], &["--force"]].concat(), 2).1;
+    desk.write("s.toml", scenario);
+    let said = desk.run_expecting(&[&RUN[..], &["--force"]].concat(), 2).1;
     assert!(said.contains("o/parts/part-00000.csv: this file belongs to the scenario"), "{said}");
     assert_eq!(desk.read("o/parts/part-00000.csv"), curve);
 }
 
 #[test]
 fn other_settings_have_own_default_folder() {
-    let desk = Desk::with(STEEL);
-    let run = |more: &[&str]| desk.ends(&[&["run", "s.toml", "--pictures", "none"], more].concat(), 0).1;
+    let desk = Sandbox::with(STEEL);
+    let run = |more: &[&str]| desk.run_expecting(&[&["run", "s.toml", "--pictures", "none"], more].concat(), 0).1;
     let folders = [
         (vec![], "plots/s"),
         (vec!["--set", "impact.speed=2 m/s"], "plots/s,impact.speed=2m_s"),
@@ -172,16 +172,16 @@ fn other_settings_have_own_default_folder() {
     // a setting may be written in two ways
     assert!(run(&["--set", "impact.speed=\"2m/s\""]).contains("to plots/s,impact.speed=2m_s\n"));
     // one measurement is a setting too
-    desk.ends(&["calibrate", "s.toml", "--restitution", "0.49", "--pictures", "none"], 0);
+    desk.run_expecting(&["calibrate", "s.toml", "--restitution", "0.49", "--pictures", "none"], 0);
     assert_eq!(desk.read("plots/s/summary.json"), summaries[0]);
-    desk.put("data/d.csv", "speed_m_per_s,restitution\n1,0.6\n2,0.53\n3,0.49\n");
-    let said = desk.ends(&["calibrate", "s.toml", "data/d.csv", "--pictures", "none"], 0).1;
+    desk.write("data/d.csv", "speed_m_per_s,restitution\n1,0.6\n2,0.53\n3,0.49\n");
+    let said = desk.run_expecting(&["calibrate", "s.toml", "data/d.csv", "--pictures", "none"], 0).1;
     assert!(said.contains("to plots/s,calibrate.data=d.csv\n"), "{said}");
     // long settings with the same beginning have two folders, whose names a file system takes
     let speeds = (2..90).map(|speed: u32| speed.to_string()).collect::<Vec<_>>().join(", ");
     let folders = ["100", "101"].map(|last| {
         let sweep = format!("sweep={{ \"impact.speed\" = [{speeds}, {last}] }}");
-        let said = desk.ends(&["run", "s.toml", "--set", &sweep, "--pictures", "none"], 0).1;
+        let said = desk.run_expecting(&["run", "s.toml", "--set", &sweep, "--pictures", "none"], 0).1;
         said.split_once("plots/").and_then(|(_, path)| path.split_once('/')).unwrap().0.to_owned()
     });
     assert!(folders[0] != folders[1] && folders.iter().all(|name| name.len() < 200), "{folders:?}");
@@ -189,13 +189,13 @@ fn other_settings_have_own_default_folder() {
 
 #[test]
 fn folder_refuses_results_of_other_settings() {
-    let desk = Desk::with(STEEL);
+    let desk = Sandbox::with(STEEL);
     let run = [&RUN[..], &["--pictures", "none"]].concat();
     let slow = [&run[..], &["--set", "impact.speed=1 m/s"]].concat();
-    desk.ends(&slow, 0);
+    desk.run_expecting(&slow, 0);
     let before = desk.read("o/summary.json");
     for other in [run.clone(), [&run[..], &["--set", "impact.speed=2 m/s"]].concat()] {
-        let said = desk.ends(&other, 2).1;
+        let said = desk.run_expecting(&other, 2).1;
         let made_by = "made by `plm-impact run s.toml --out o --pictures none --set 'impact.speed=1 m/s'`";
         assert!(
             said.contains("o: holds results of s.toml with other --set or options") && said.contains(made_by),
@@ -204,18 +204,19 @@ fn folder_refuses_results_of_other_settings() {
         assert!(said.contains("name another --out") && said.contains("--force"), "{said}");
         assert_eq!(desk.read("o/summary.json"), before);
     }
-    assert!(!desk.ends(&slow, 0).1.contains("replaced"));
+    assert!(!desk.run_expecting(&slow, 0).1.contains("replaced"));
     // an edited scenario with the same settings replaces its older results, and says so
     fs::write(desk.path("s.toml"), STEEL.replace("345 MPa", "350 MPa")).unwrap();
-    assert!(desk.ends(&slow, 0).1.contains("o: replaced the results of s.toml as it was"));
-    assert!(desk.ends(&[&run[..], &["--force"]].concat(), 0).1.contains("o: replaced the results of s.toml"));
+    assert!(desk.run_expecting(&slow, 0).1.contains("o: replaced the results of s.toml as it was"));
+    assert!(desk.run_expecting(&[&run[..], &["--force"]].concat(), 0).1.contains("o: replaced the results of s.toml"));
 }
 
 #[test]
 fn other_text_of_standard_input_is_named() {
-    let desk = Desk::with("");
+    let desk = Sandbox::with("");
     let piped = |speed: &str| {
-        let output = desk.fed(&["run", "-", "--out", "w", "--pictures", "none"], &STEEL.replace("3 m/s", speed));
+        let output =
+            desk.run_with_stdin(&["run", "-", "--out", "w", "--pictures", "none"], &STEEL.replace("3 m/s", speed));
         (output.status.code(), text(&output.stderr))
     };
     assert_eq!(piped("1 m/s").0, Some(0));

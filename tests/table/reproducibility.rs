@@ -41,7 +41,7 @@ fn tables(one_of: u32) -> Vec<(&'static str, String)> {
 
 /// The table that the command makes of a scenario.
 fn table(command: &mut Command, scenario: &str) -> Vec<u8> {
-    let desk = Desk::with(scenario);
+    let desk = Sandbox::with(scenario);
     let output = command
         .args(["run", "--quiet", "--pictures", "none", "--out"])
         .arg(desk.path("out"))

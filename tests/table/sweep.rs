@@ -6,7 +6,7 @@ use crate::common::prelude::*;
 
 /// The table of a scenario that runs, and its summary.
 fn table(text: &str) -> (String, serde_json::Value) {
-    let desk = Desk::ran(text);
+    let desk = Sandbox::with_results(text);
     (desk.read("out/table.csv"), desk.summary())
 }
 
@@ -15,7 +15,7 @@ fn summary(tables: &str) -> serde_json::Value {
 }
 
 fn rows(text: &str) -> Rows {
-    rows_of(text, NONE)
+    rows_of(text, NO_OVERRIDES)
 }
 
 #[test]
@@ -166,8 +166,8 @@ law = ["plm", "thornton"]
     }
     assert_eq!(e(19_999), contact(STEEL, &[radius, "law=thornton"]).closed_form(3.0).unwrap().restitution);
     let table = |threads: &str| {
-        let desk = Desk::with(&text);
-        desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none", "--threads", threads], 0);
+        let desk = Sandbox::with(&text);
+        desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none", "--threads", threads], 0);
         desk.read("out/table.csv")
     };
     let one = table("1");
@@ -176,8 +176,8 @@ law = ["plm", "thornton"]
 
 #[test]
 fn case_without_result_has_a_status() {
-    let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 1e-250, 1e200]\n"));
-    let (_, said) = desk.ends(&["run", "s.toml", "--out", "out"], 1);
+    let desk = Sandbox::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 1e-250, 1e200]\n"));
+    let (_, said) = desk.run_expecting(&["run", "s.toml", "--out", "out"], 1);
     assert!(said.contains("2 of 3 cases have no result"), "{said}");
     let table = desk.read("out/table.csv");
     let lines: Vec<&str> = table.lines().collect();
@@ -191,7 +191,7 @@ fn sphere_released_at_contact_has_no_restitution() {
     // gravity is so large that the sphere leaves a dent
     let tables = "[gravity]\nacceleration = 8e6\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\"]\n";
     let text = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + tables;
-    let desk = Desk::ran(&text);
+    let desk = Sandbox::with_results(&text);
     let whole = desk.read("out/table.csv");
     assert!(whole.lines().nth(1).unwrap().starts_with("0,0.0,,,"), "{whole}");
     for key in ["restitution", "recovered_fraction", "plastic_fraction"] {
@@ -202,8 +202,8 @@ fn sphere_released_at_contact_has_no_restitution() {
     let residual = column(&whole, "residual_indentation_m");
     assert!(residual.iter().all(|depth| depth.parse::<f64>().unwrap() > 1e-3), "{residual:?}");
     // such a row counts among the existing rows when a run resumes
-    desk.ends(&["run", "s.toml", "--out", "out", "--shard", "0/1"], 0);
-    desk.ends(&["run", "s.toml", "--out", "out"], 0);
+    desk.run_expecting(&["run", "s.toml", "--out", "out", "--shard", "0/1"], 0);
+    desk.run_expecting(&["run", "s.toml", "--out", "out"], 0);
     assert_eq!(desk.read("out/table.csv"), whole);
 }
 

@@ -21,7 +21,7 @@ fn assert_ends(output: &Output, words: &[&str]) {
 
 #[test]
 fn excessive_threads_from_environment_are_refused() {
-    let desk = Desk::with(format!("{STEEL}{SWEEP}"));
+    let desk = Sandbox::with(format!("{STEEL}{SWEEP}"));
     let with = |threads: &str, more: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
         command.current_dir(desk.path("")).args(RUN).args(more).env("RAYON_NUM_THREADS", threads).output().unwrap()
@@ -45,7 +45,7 @@ fn excessive_threads_from_environment_are_refused() {
 #[test]
 fn thread_start_failure_suggests_fewer_threads() {
     const STACK: u32 = 1 << 30;
-    let desk = Desk::with(format!("{STEEL}{SWEEP}"));
+    let desk = Sandbox::with(format!("{STEEL}{SWEEP}"));
     let script = format!("ulimit -v {} && RUST_MIN_STACK={STACK} exec \"$0\" \"$@\"", 2 * (STACK >> 10) + 220_000);
     let mut command = Command::new("sh");
     command.env("MALLOC_ARENA_MAX", "1").current_dir(desk.path("")).args([

@@ -59,7 +59,13 @@ fn any_measured_law() -> impl Strategy<Value = (Law, YieldingPair, UnloadingExpo
 
 /// Whether along a law d ln F/d ln δ is above this bound, dents deepen and e falls, but for these shares: of the indentation, and
 /// of e.
-fn is_orderly(law: &Law, bodies: &YieldingPair, least_growth: f64, dent: f64, rise: f64) -> Result<(), TestCaseError> {
+fn is_monotonic(
+    law: &Law,
+    bodies: &YieldingPair,
+    least_growth: f64,
+    dent: f64,
+    rise: f64,
+) -> Result<(), TestCaseError> {
     let mut before = law.loaded_state(1.0);
     let (mut least, mut deepest_dent) = (1.0_f64, 0.0_f64);
     // up to an indentation of 0.15 R
@@ -80,11 +86,11 @@ fn is_orderly(law: &Law, bodies: &YieldingPair, least_growth: f64, dent: f64, ri
 }
 
 proptest! {
-    #![proptest_config(crate::common::cases(200))]
+    #![proptest_config(crate::common::proptest_config(200))]
 
     #[test]
     fn saturating_measured_curves_satisfy_looser_bounds((law, bodies, _) in any_measured_law()) {
-        is_orderly(&law, &bodies, 1.0, 2e-3, 1e-2)?;
+        is_monotonic(&law, &bodies, 1.0, 2e-3, 1e-2)?;
     }
 }
 
@@ -175,7 +181,7 @@ fn the_force_rises_along_any_curve() {
             compared += 1;
             assert!(exact.restitution > 0.0 && exact.restitution <= 1.0);
             let stepped = contact.impact(speed, &Solver::default(), None).unwrap();
-            assert!(off(stepped.restitution, exact.restitution) < 1e-8, "{stress:e} {speed}");
+            assert!(relative_error(stepped.restitution, exact.restitution) < 1e-8, "{stress:e} {speed}");
         }
     }
     // the others, just beyond first yield, would give back more than was spent

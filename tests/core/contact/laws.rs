@@ -12,7 +12,7 @@ mod without_motion;
 use crate::common::prelude::*;
 
 fn bodies(scene: &Scene) -> YieldingPair {
-    let (sphere, half_space) = scene.parts();
+    let (sphere, half_space) = scene.bodies();
     let pair = Pair::try_new(&sphere, &half_space).unwrap();
     YieldingPair::new(&pair).unwrap()
 }

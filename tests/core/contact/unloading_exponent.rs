@@ -77,7 +77,7 @@ fn an_exponent_is_never_below_one() {
             assert!(exact.unloading_exponent >= 1.0 && exact.restitution <= 1.0, "{speed} {exact:?}");
             for (method, _) in STEPPING {
                 let stepped = contact.impact(speed, &solver(method, 1e-11), None).unwrap();
-                assert!(apart(&stepped, &exact) < 1e-9, "{speed} {}", method.name());
+                assert!(max_relative_error(&stepped, &exact) < 1e-9, "{speed} {}", method.name());
             }
         }
     }

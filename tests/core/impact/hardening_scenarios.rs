@@ -24,7 +24,7 @@ fn contact_time_is_sum_over_pieces() {
     ];
     for (steel, flow) in flows {
         let text = steel.replace("[impact]", &format!("[half_space.flow_stress]\n{flow}\n[impact]"));
-        let contact = contact(&text, NONE);
+        let contact = contact(&text, NO_OVERRIDES);
         for k in 0..200 {
             let speed = 0.02 * 1.05_f64.powi(k);
             let (_, law, q) = contact.scaling(speed).unwrap();
@@ -35,7 +35,7 @@ fn contact_time_is_sum_over_pieces() {
             let loading = law.loading.pieces()[1..].iter().fold(LoadingCurve::hertz(), straight);
             let (by_series, by_pieces) =
                 (solve(law, q), solve(&Law::new(loading, law.validity, law.unloading_rule.clone()), q));
-            assert!(off(by_series.loading_time, by_pieces.loading_time) < 2e-15, "{flow} {speed}");
+            assert!(relative_error(by_series.loading_time, by_pieces.loading_time) < 2e-15, "{flow} {speed}");
             assert_eq!(by_series.restitution, by_pieces.restitution, "{flow} {speed}");
         }
     }
@@ -52,7 +52,7 @@ fn impossible_flow_curve_is_outside_the_law() {
 }
 
 proptest! {
-    #![proptest_config(crate::common::cases(100))]
+    #![proptest_config(crate::common::proptest_config(100))]
 
     /// A warning is given beyond the curve, and nowhere else.
     #[test]
@@ -63,7 +63,7 @@ proptest! {
         prop_assume!(345e6 * (second - 1.0) * first < 0.99 * 210e9 * 2.0 * strain);
         let points = format!("points = [[{strain}, {}], [{}, {}]]", 345e6 * first, 3.0 * strain, 345e6 * first * second);
         let text = STEEL.replace("[impact]", &format!("[half_space.flow_stress]\n{points}\n[damping]\nviscous = {zeta}\n[impact]"));
-        let contact = contact(&text.replace("3 m/s", &format!("{speed} m/s")), NONE);
+        let contact = contact(&text.replace("3 m/s", &format!("{speed} m/s")), NO_OVERRIDES);
         let impact = contact.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         // the curve is used up to a strain of 0.37 (√(δ/R) − √(δ_Y/R))
         let at = |indentation: f64| (indentation / 5e-3).sqrt();

@@ -18,7 +18,7 @@ fn any_elastic_impact() -> impl Strategy<Value = (Scene, f64)> {
 }
 
 proptest! {
-    #![proptest_config(crate::common::cases(200))]
+    #![proptest_config(crate::common::proptest_config(200))]
 
     #[test]
     fn peak_time_and_energy_are_hertzs((scene, v) in any_elastic_impact()) {
@@ -33,18 +33,18 @@ proptest! {
         for (method, factor) in STEPPING.into_iter().chain([(Method::ClosedForm, 1e-2)]) {
             let impact = scene.impact(v, method, TOLERANCE, None);
             let error = [
-                off(impact.restitution, 1.0),
-                off(impact.rebound_speed, v),
-                off(impact.peak_indentation, indentation),
-                off(impact.peak_force, force),
-                off(impact.contact_time, CONTACT_TIME * indentation / v),
-                off(impact.loading_time, 0.5 * CONTACT_TIME * indentation / v),
-                off(impact.energy.kinetic_in, 0.4 * force * indentation),
-                off(impact.energy.recovered, 0.5 * m * v * v),
-                off(impact.peak_contact_radius, (scene.radius * indentation).sqrt()),
+                relative_error(impact.restitution, 1.0),
+                relative_error(impact.rebound_speed, v),
+                relative_error(impact.peak_indentation, indentation),
+                relative_error(impact.peak_force, force),
+                relative_error(impact.contact_time, CONTACT_TIME * indentation / v),
+                relative_error(impact.loading_time, 0.5 * CONTACT_TIME * indentation / v),
+                relative_error(impact.energy.kinetic_in, 0.4 * force * indentation),
+                relative_error(impact.energy.recovered, 0.5 * m * v * v),
+                relative_error(impact.peak_contact_radius, (scene.radius * indentation).sqrt()),
                 // p_m = (2/3) p_0, p_0 = 3F/(2πa²)
-                off(impact.peak_mean_pressure, force / (std::f64::consts::PI * scene.radius * indentation)),
-                off(impact.peak_sphere_indentation, compliance(scene.sphere) * e_star * indentation),
+                relative_error(impact.peak_mean_pressure, force / (std::f64::consts::PI * scene.radius * indentation)),
+                relative_error(impact.peak_sphere_indentation, compliance(scene.sphere) * e_star * indentation),
                 impact.energy.drift,
             ].into_iter().fold(0.0, nan_max);
             prop_assert!(error <= 2.0 * factor * TOLERANCE, "{}: {error:e}", method.name());

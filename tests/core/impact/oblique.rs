@@ -266,7 +266,7 @@ fn small_moment_of_inertia_is_limited_by_steps() {
                     Ok(impact) => impact,
                     Err(ImpactError::SmallInertia { least, solid: told }) => {
                         let least = least.unwrap();
-                        assert!(least > moment && off(told, solid) < 1e-12 && row.is_err());
+                        assert!(least > moment && relative_error(told, solid) < 1e-12 && row.is_err());
                         refused = refused.or(Some(least));
                         continue;
                     }

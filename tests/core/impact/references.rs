@@ -127,7 +127,7 @@ fn peak_row_matches_reference() {
         let (scene, _, impact) = run::impact::compute(&read("", &row.keys(&[])), Some(200)).unwrap();
         let peak = *impact.trace.iter().find(|at| at.event == Some(Event::Peak)).unwrap();
         if let Some(want) = row.optional_number("sphere_speed_at_peak_m_s") {
-            assert!(off(peak.sphere_speed.unwrap_or(peak.speed), want) < 1e-8, "{}", row.name());
+            assert!(relative_error(peak.sphere_speed.unwrap_or(peak.speed), want) < 1e-8, "{}", row.name());
         }
         // the share of the sphere of what is elastic, and the flat that it keeps
         let compliance =

@@ -27,15 +27,15 @@ fn every_case_has_its_reference_value() {
         assert_eq!(case.name, name);
         let exact = closed_form::solve(&case.law, case.speed);
         let listed = case.exact.restitution;
-        assert!(off(listed, restitution) < 1e-14, "{name}: {listed} ({})", case.description);
-        assert!(off(exact.restitution, restitution) < 1e-14, "{name}: {}", exact.restitution);
+        assert!(relative_error(listed, restitution) < 1e-14, "{name}: {listed} ({})", case.description);
+        assert!(relative_error(exact.restitution, restitution) < 1e-14, "{name}: {}", exact.restitution);
         // at 1e-100, x_m = (…)^0.4 has an error of 1e-14: 0.4 is rounded by 2e-17, times ln of 1e-200
         let allowed = match name.as_str() {
             "v = 1e-100 v_Y" => 3e-14,
             _ if name.contains("peak among") => rounding(case),
             _ => 1e-14,
         };
-        assert!(off(exact.contact_time, contact_time) < allowed, "{name}: {}", exact.contact_time);
+        assert!(relative_error(exact.contact_time, contact_time) < allowed, "{name}: {}", exact.contact_time);
     }
 }
 
@@ -55,7 +55,7 @@ fn every_method_meets_its_tolerance_on_all_cases() {
                 let (outcome, work) = run(&law, speed, method, tolerance)
                     .unwrap_or_else(|error| panic!("{name}, {} at {tolerance:e}: {error}", method.name()));
                 let at = format!("{name}, {} at {tolerance:e}", method.name());
-                let error = worst(&outcome, &exact);
+                let error = max_relative_error_of_outcomes(&outcome, &exact);
                 assert!(error <= factor * tolerance + rounding, "{at}: off by {error:e}");
                 // not too many steps: a method of order 5 at 1e-13 takes about 400 steps for a piece
                 assert!(work.steps < 1000 * (law.loading.pieces().len() as u64 + 1), "{at}: {work:?}");
@@ -80,7 +80,7 @@ fn every_method_meets_its_tolerance_on_all_cases() {
 fn closed_form_matches_printed_values() {
     for problem in problems().unwrap().into_iter().filter(|problem| problem.forces.is_none()) {
         // the printed values have 16 digits or more; the speed ratio is rounded once more
-        let error = worst(&closed_form::solve(&problem.law, problem.speed), &problem.exact);
+        let error = max_relative_error_of_outcomes(&closed_form::solve(&problem.law, problem.speed), &problem.exact);
         assert!(error < 2e-15, "{}: {error:e}", problem.name);
     }
     // x_m/δ_Y of P2, P3 and P4a, as printed with their definitions
@@ -88,7 +88,7 @@ fn closed_form_matches_printed_values() {
         [(kinked_law(), 1.0, 77.44), (problems().unwrap()[2].law.clone(), 3.2, 299.685), (kinked_law(), 10.0, 771.4)]
     {
         let got = closed_form::solve(&law, steel_speed_ratio(speed)).unloading.peak.indentation;
-        assert!(off(got, want) < 1e-4, "{got} against {want}");
+        assert!(relative_error(got, want) < 1e-4, "{got} against {want}");
     }
 }
 
@@ -107,8 +107,14 @@ fn modulus_ratio_goes_to_its_limits() {
     let (rigid, soft) = (impact(f64::INFINITY, 1e11), impact(1e9, 1e21));
     for ratio in [1e3, 1e6, 1e9, 1e12] {
         // e differs from its limits κ = 0 and κ = 1 in proportion to κ and 1 − κ, about 1/ratio
-        assert!(off(impact(1e11 * ratio, 1e11).restitution, rigid.restitution) < 1.0 / ratio + 1e-11, "{ratio:e}");
-        assert!(off(impact(1e9, 1e9 * ratio).restitution, soft.restitution) < 1.0 / ratio + 1e-11, "{ratio:e}");
+        assert!(
+            relative_error(impact(1e11 * ratio, 1e11).restitution, rigid.restitution) < 1.0 / ratio + 1e-11,
+            "{ratio:e}"
+        );
+        assert!(
+            relative_error(impact(1e9, 1e9 * ratio).restitution, soft.restitution) < 1.0 / ratio + 1e-11,
+            "{ratio:e}"
+        );
     }
     assert_eq!(rigid.peak_sphere_indentation, 0.0);
     assert!(rigid.unloading_radius.is_finite() && rigid.elastic_approach > 0.0);
@@ -128,14 +134,14 @@ fn force_is_exact_at_zero_and_near_knots() {
         for (i, pair) in law.loading.pieces().windows(2).enumerate() {
             let knot = pair[1].start;
             assert_eq!((law.loading.index_at(knot.next_down()), law.loading.index_at(knot)), (i, i + 1), "{name}");
-            assert!(off(pair[0].force_at(knot), pair[1].force_at(knot)) < 1e-15, "{name}");
-            assert!(off(pair[0].work_at(knot), pair[1].work_at(knot)) < 1e-15, "{name}");
+            assert!(relative_error(pair[0].force_at(knot), pair[1].force_at(knot)) < 1e-15, "{name}");
+            assert!(relative_error(pair[0].work_at(knot), pair[1].work_at(knot)) < 1e-15, "{name}");
             let [before, on, behind] = [knot.next_down(), knot, knot.next_up()].map(|x| law.loaded_state(x));
             assert!(before.force <= on.force && on.force <= behind.force, "{name}");
             // one ulp of x changes f by less than two ulps, because f' x/f < 2
             for beside in [before, behind] {
-                assert!(off(beside.force, on.force) < 1e-15, "{name}: {knot}");
-                let is_near = off(beside.elastic_approach, on.elastic_approach) < 1e-15;
+                assert!(relative_error(beside.force, on.force) < 1e-15, "{name}: {knot}");
+                let is_near = relative_error(beside.elastic_approach, on.elastic_approach) < 1e-15;
                 assert!(is_near || name != "case 3", "{name}: {knot}");
             }
         }
@@ -143,7 +149,7 @@ fn force_is_exact_at_zero_and_near_knots() {
 }
 
 proptest! {
-    #![proptest_config(crate::common::cases(500))]
+    #![proptest_config(crate::common::proptest_config(500))]
 
     #[test]
     fn restitution_is_continuous_in_speed_across_every_knot(scene in any_scene(), log_gap in -12.0..-3.0_f64) {
@@ -153,12 +159,12 @@ proptest! {
         let law = scene.law();
         let knots = law.loading.pieces().iter().skip(1).map(|piece| (2.5 * piece.work).sqrt()).chain([1.0]);
         for q in knots {
-            let at = |q: f64| held(contact.closed_form(q * yield_speed));
+            let at = |q: f64| skip_if_law_has_no_answer(contact.closed_form(q * yield_speed));
             let (Ok(below), Ok(above)) = (at(q * (1.0 - gap)), at(q * (1.0 + gap))) else { break };
             // |d ln e/d ln v| < 1/2 on every piece, |d ln T/d ln v| < 1
-            prop_assert!(off(above.restitution, below.restitution) <= gap + 1e-13, "{q}");
-            prop_assert!(off(above.contact_time, below.contact_time) <= 2.0 * gap + 1e-13, "{q}");
-            prop_assert!(off(above.peak_force, below.peak_force) <= 4.0 * gap + 1e-13, "{q}");
+            prop_assert!(relative_error(above.restitution, below.restitution) <= gap + 1e-13, "{q}");
+            prop_assert!(relative_error(above.contact_time, below.contact_time) <= 2.0 * gap + 1e-13, "{q}");
+            prop_assert!(relative_error(above.peak_force, below.peak_force) <= 4.0 * gap + 1e-13, "{q}");
         }
     }
 }
@@ -180,7 +186,7 @@ fn extreme_scales_are_computed_or_refused() {
                         assert!(impact.restitution <= 1.0 + 1e-9);
                         // of an elastic impact, (2/5) F_m δ_m = ½ m v²
                         let stored = 0.4 * impact.peak_force * impact.peak_indentation;
-                        assert!(impact.has_dent() || off(stored, impact.kinetic_in) < 1e-9, "{impact:?}");
+                        assert!(impact.has_dent() || relative_error(stored, impact.kinetic_in) < 1e-9, "{impact:?}");
                         computed += 1;
                     }
                     Err(ImpactError::Range(_) | ImpactError::TooDeep { .. }) => {}

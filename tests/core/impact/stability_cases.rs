@@ -17,7 +17,7 @@ const PRINTED: &str = "known to 16 digits from 30-digit arithmetic";
 
 /// A sphere on a half-space, given by the ratios that matter.
 #[derive(Debug, Clone, Copy)]
-struct Extreme {
+struct ExtremePair {
     radius: f64,
     /// Young's moduli of sphere and half-space \[Pa\].
     youngs_moduli: [f64; 2],
@@ -29,7 +29,7 @@ struct Extreme {
 }
 
 /// Steel on steel, deep in the plastic range.
-const STEEL: Extreme = Extreme {
+const STEEL: ExtremePair = ExtremePair {
     radius: 5e-3,
     youngs_moduli: [210e9, 210e9],
     poissons_ratios: [0.3, 0.3],
@@ -37,7 +37,7 @@ const STEEL: Extreme = Extreme {
     speed_ratio: 300.0,
 };
 
-impl Extreme {
+impl ExtremePair {
     fn law(&self) -> (Law, f64) {
         let [of_sphere, of_half_space] =
             [0, 1].map(|i| Material { youngs_modulus: self.youngs_moduli[i], poissons_ratio: self.poissons_ratios[i] });
@@ -55,7 +55,7 @@ impl Extreme {
 }
 
 /// A case whose exact outcome is the closed form's.
-fn balanced(name: &'static str, law: Law, speed: f64) -> Problem {
+fn closed_form_problem(name: &'static str, law: Law, speed: f64) -> Problem {
     let exact = closed_form::solve(&law, speed);
     let about = if exact.restitution == 1.0 { ELASTIC } else { BALANCE };
     Problem { name, description: about, law, speed, forces: ScaledForces::NONE, exact }
@@ -100,32 +100,32 @@ pub fn hard_cases() -> Vec<Problem> {
         ("five knots 1e-12 apart", &close, 30.0),
         ("five knots 1e-12 apart, peak among them", &close, speed_to(&close, 1.7 * (1.0 + 2e-12))),
     ]
-    .map(|(name, law, speed)| balanced(name, law.clone(), speed))
+    .map(|(name, law, speed)| closed_form_problem(name, law.clone(), speed))
     .into();
 
     let [sphere, half_space] = STEEL.youngs_moduli;
     for (name, extreme) in [
-        ("rigid sphere, E_s = inf", Extreme { youngs_moduli: [f64::INFINITY, half_space], ..STEEL }),
-        ("rigid sphere, E_s = 1e30 Pa", Extreme { youngs_moduli: [1e30, half_space], ..STEEL }),
-        ("E_s/E_h = 1e12", Extreme { youngs_moduli: [1e12 * half_space, half_space], ..STEEL }),
-        ("E_s/E_h = 1e-3", Extreme { youngs_moduli: [1e-3 * half_space, half_space], ..STEEL }),
-        ("E_s/E_h = 1e-12", Extreme { youngs_moduli: [sphere, 1e12 * sphere], ..STEEL }),
-        ("R = 1e-9 m", Extreme { radius: 1e-9, ..STEEL }),
-        ("R = 1e3 m", Extreme { radius: 1e3, ..STEEL }),
-        ("yield strength 1e-9 E*: plastic throughout", Extreme { strength_ratio: 1e-9, speed_ratio: 1e6, ..STEEL }),
-        ("yield strength 10 E*: elastic", Extreme { strength_ratio: 10.0, speed_ratio: 1e-3, ..STEEL }),
-        ("Poisson's ratios -0.99", Extreme { poissons_ratios: [-0.99, -0.99], ..STEEL }),
-        ("Poisson's ratios 0.4999999", Extreme { poissons_ratios: [0.499_999_9, 0.499_999_9], ..STEEL }),
+        ("rigid sphere, E_s = inf", ExtremePair { youngs_moduli: [f64::INFINITY, half_space], ..STEEL }),
+        ("rigid sphere, E_s = 1e30 Pa", ExtremePair { youngs_moduli: [1e30, half_space], ..STEEL }),
+        ("E_s/E_h = 1e12", ExtremePair { youngs_moduli: [1e12 * half_space, half_space], ..STEEL }),
+        ("E_s/E_h = 1e-3", ExtremePair { youngs_moduli: [1e-3 * half_space, half_space], ..STEEL }),
+        ("E_s/E_h = 1e-12", ExtremePair { youngs_moduli: [sphere, 1e12 * sphere], ..STEEL }),
+        ("R = 1e-9 m", ExtremePair { radius: 1e-9, ..STEEL }),
+        ("R = 1e3 m", ExtremePair { radius: 1e3, ..STEEL }),
+        ("yield strength 1e-9 E*: plastic throughout", ExtremePair { strength_ratio: 1e-9, speed_ratio: 1e6, ..STEEL }),
+        ("yield strength 10 E*: elastic", ExtremePair { strength_ratio: 10.0, speed_ratio: 1e-3, ..STEEL }),
+        ("Poisson's ratios -0.99", ExtremePair { poissons_ratios: [-0.99, -0.99], ..STEEL }),
+        ("Poisson's ratios 0.4999999", ExtremePair { poissons_ratios: [0.499_999_9, 0.499_999_9], ..STEEL }),
     ] {
         let (law, speed) = extreme.law();
-        cases.push(balanced(name, law, speed));
+        cases.push(closed_form_problem(name, law, speed));
     }
     // in SI units other programs fail on these three; the restitution of the first is an independent 30-digit value
-    let first = balanced("P4a: 1 um at 10 m/s", kinked_law(), steel_speed_ratio(10.0));
+    let first = closed_form_problem("P4a: 1 um at 10 m/s", kinked_law(), steel_speed_ratio(10.0));
     let exact = ScaledResult { restitution: 0.301_220_801_577_325_58, ..first.exact };
     cases.push(Problem { description: PRINTED, exact, ..first });
-    cases.push(balanced("P4b: 1 m at 1e-6 m/s", kinked_law(), steel_speed_ratio(1e-6)));
-    cases.push(balanced("P4c: 1 nm at 100 m/s, Hertz alone", hertz, steel_speed_ratio(100.0)));
+    cases.push(closed_form_problem("P4b: 1 m at 1e-6 m/s", kinked_law(), steel_speed_ratio(1e-6)));
+    cases.push(closed_form_problem("P4c: 1 nm at 100 m/s, Hertz alone", hertz, steel_speed_ratio(100.0)));
     cases
 }
 

@@ -8,7 +8,7 @@ const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
 
 const NUMBERS_OF_STEPS: [u32; 6] = [50, 77, 100, 333, 1000, 3000];
 
-const NONE: Forces = Forces { gravity: None, damping: None, plate: None, flight: None };
+const NO_OVERRIDES: Forces = Forces { gravity: None, damping: None, plate: None, flight: None };
 
 fn verlet(steps_per_contact: u32) -> Solver {
     Solver { method: Method::Verlet, steps_per_contact, ..Solver::default() }
@@ -21,7 +21,7 @@ fn by_steps(scene: &Scene, forces: Forces, steps: u32) -> Impact {
 fn every_force() -> [Forces; 4] {
     let damping = |damping| Forces { damping: Some(damping), ..Forces::default() };
     let gravity = Forces { gravity: Some(1e4), ..Forces::default() };
-    [NONE, gravity, damping(Damping::HuntCrossley(0.1)), damping(Damping::Viscous(0.1))]
+    [NO_OVERRIDES, gravity, damping(Damping::HuntCrossley(0.1)), damping(Damping::Viscous(0.1))]
 }
 
 #[test]
@@ -30,13 +30,13 @@ fn hertz_times_have_second_order_error() {
     let exact = elastic.impact(0.5, Method::ClosedForm, 1e-10, None);
     let contact_time = CONTACT_TIME * exact.peak_indentation / 0.5;
     for steps in NUMBERS_OF_STEPS {
-        let impact = by_steps(&elastic, NONE, steps);
+        let impact = by_steps(&elastic, NO_OVERRIDES, steps);
         // for an oscillator of period 2 T, the contact time is too short by (π/n)²/24 = 0.41/n² of T
         let squares = f64::from(steps) * f64::from(steps);
-        let error = off(impact.contact_time, contact_time);
+        let error = relative_error(impact.contact_time, contact_time);
         assert!(error * squares > 0.05 && error * squares < 1.0, "{steps}: {}", error * squares);
-        assert!(off(1.0 + impact.accuracy.contact_time_error, 1.0 + error) < 1e-14);
-        let of_compression = off(impact.loading_time, 0.5 * contact_time);
+        assert!(relative_error(1.0 + impact.accuracy.contact_time_error, 1.0 + error) < 1e-14);
+        let of_compression = relative_error(impact.loading_time, 0.5 * contact_time);
         assert!(of_compression * squares < 2.0, "{steps}: {}", of_compression * squares);
         // there is no loss, so the error of the ledger is the error of e²
         let drift = impact.energy.drift_at_end;
@@ -78,7 +78,7 @@ fn damped_times_converge_with_first_order() {
         let scene = Scene::steel();
         let exact = scene.contact().with_forces(forces).impact(0.5, &solver(Method::Rk8, 1e-12), None).unwrap();
         let worst = |time: fn(&Impact) -> f64, steps: [u32; 3]| {
-            let error = |steps| off(time(&by_steps(&scene, forces, steps)), time(&exact));
+            let error = |steps| relative_error(time(&by_steps(&scene, forces, steps)), time(&exact));
             steps.map(error).into_iter().fold(0.0, plm_impact::numerics::power::nan_max)
         };
         for time in [(|impact| impact.contact_time) as fn(&Impact) -> f64, |impact| impact.loading_time] {

@@ -4,30 +4,30 @@ use super::random_scene::Run;
 use crate::common::prelude::*;
 
 /// Whether the scene could be judged.
-pub type Judged = Result<bool, TestCaseError>;
+pub type Judgement = Result<bool, TestCaseError>;
 
 /// Whether a number is another one, but for this much.
-pub fn near(name: &str, got: f64, want: f64, allowed: f64) -> Result<(), TestCaseError> {
+pub fn assert_close(name: &str, got: f64, want: f64, allowed: f64) -> Result<(), TestCaseError> {
     let off = (got - want).abs();
     prop_assert!(off <= allowed, "{}: {:e}, not {:e}; off by {:e}, allowed are {:e}", name, got, want, off, allowed);
     Ok(())
 }
 
 /// The run sees no error of its energy above its tolerance, at the end and on any row of the trace.
-pub fn the_ledger_closes(run: &Run) -> Judged {
+pub fn the_ledger_closes(run: &Run) -> Judgement {
     let energy = &run.impact.energy;
     let rows = run.impact.trace.iter().fold(0.0, |worst, row| nan_max(worst, row.energy_drift.abs()));
     prop_assert!(rows <= energy.drift && energy.drift_at_end.abs() <= energy.drift, "{:?}", energy);
     if run.is_adaptive() {
-        near("drift", energy.drift, 0.0, run.slack())?;
+        assert_close("drift", energy.drift, 0.0, run.error_allowance())?;
     }
     Ok(run.is_adaptive())
 }
 
 /// The energies that are reported add up to what was put in and the error at the end, to rounding and by every method; and none is
 /// below zero. A metal whose strength has a rate and that hardens may give back up to 0.1 % more than it took.
-pub fn the_reported_energies_add_up(run: &Run) -> Judged {
-    let (impact, size) = (&run.impact, run.put_in());
+pub fn the_reported_energies_add_up(run: &Run) -> Judgement {
+    let (impact, size) = (&run.impact, run.input_energy());
     let of = |part: fn(&ForcesResult) -> Option<f64>| impact.forces_result.as_ref().and_then(part).unwrap_or(0.0);
     let (plastic, gravity) = (impact.energy.plastic.unwrap_or(0.0), of(|under| under.gravity_work));
     let parts = [
@@ -42,14 +42,14 @@ pub fn the_reported_energies_add_up(run: &Run) -> Judged {
     let of_run = if impact.restitution == 1.0 { 0.0 } else { impact.energy.drift_at_end * size };
     // the work of the weight up to separation may be far above that down to the peak, where a plate holds the sphere long
     let largest = found.abs().max(gravity.abs()).max(size);
-    near("sum", found - gravity, impact.kinetic_in + of_run, 2e-13 * largest)?;
+    assert_close("sum", found - gravity, impact.kinetic_in + of_run, 2e-13 * largest)?;
     if let Some(under) = impact.forces_result {
         let way = under.end_indentation - run.touch() + impact.plate.map_or(0.0, |plate| plate.displacement);
-        near("work of the weight", gravity, run.weight() * way, 1e-12 * largest)?;
+        assert_close("work of the weight", gravity, run.weight() * way, 1e-12 * largest)?;
     }
     let gain = if run.contact.has_rate() && run.scene.has("half_space.flow_stress") { 1e-3 } else { 0.0 };
-    prop_assert!(parts.iter().all(|part| *part >= -(run.slack() + gain) * size), "{:?} of {:e}", parts, size);
-    near(
+    prop_assert!(parts.iter().all(|part| *part >= -(run.error_allowance() + gain) * size), "{:?} of {:e}", parts, size);
+    assert_close(
         "share",
         impact.plastic_fraction * impact.kinetic_in,
         if impact.has_speed() { plastic } else { 0.0 },
@@ -61,7 +61,7 @@ pub fn the_reported_energies_add_up(run: &Run) -> Judged {
 /// 0 ≤ e ≤ 1: no more comes back than was put in, and all of it below first yield. A sphere that leaves deeper than it came has the
 /// work of its weight on that way; a reload beyond a knot of the law gains up to 1e-4, of which a warning tells; and a metal that
 /// hardens and has a rate may gain, as above.
-pub fn restitution_is_a_ratio(run: &Run) -> Judged {
+pub fn restitution_is_a_ratio(run: &Run) -> Judgement {
     let (impact, contact) = (&run.impact, &run.contact);
     let (e, is_captured) = (impact.restitution, impact.captured_result().is_some());
     prop_assert_eq!((e == 0.0, impact.contact_time.is_infinite()), (is_captured, is_captured));
@@ -76,18 +76,18 @@ pub fn restitution_is_a_ratio(run: &Run) -> Judged {
         () if run.is_fresh() => 0.0,
         () => 2e-4,
     };
-    let most = impact.kinetic_in + gravity.max(0.0) + (run.slack() + gain) * run.put_in();
+    let most = impact.kinetic_in + gravity.max(0.0) + (run.error_allowance() + gain) * run.input_energy();
     prop_assert!(impact.energy.recovered <= most, "{:e}", e - 1.0);
     let is_below = contact.yield_speed().is_some_and(|yields| run.speed() <= yields) && !contact.has_rate();
     if (is_below || contact.pair().yield_point.is_none()) && run.is_fresh() && contact.forces().is_none() {
         prop_assert!(!impact.has_dent() && impact.energy.plastic.unwrap_or(0.0) == 0.0 && run.after == Spot::new());
-        prop_assert!(e <= 1.0 && e >= 1.0 - run.slack(), "{}", e);
+        prop_assert!(e <= 1.0 && e >= 1.0 - run.error_allowance(), "{}", e);
     }
     Ok(true)
 }
 
 /// Sizes are positive, the dent is smaller than the peak, what they consist of adds up to rounding, and the spot remembers them.
-pub fn sizes_fit_together(run: &Run) -> Judged {
+pub fn sizes_fit_together(run: &Run) -> Judgement {
     let impact = &run.impact;
     let (peak, dent, radius) = (impact.peak_indentation, impact.residual_indentation, run.contact.pair().radius);
     let wide = [impact.peak_contact_radius, impact.peak_mean_pressure, impact.elastic_approach, impact.loading_time];
@@ -95,8 +95,8 @@ pub fn sizes_fit_together(run: &Run) -> Judged {
     prop_assert!(impact.contact_time > impact.loading_time && impact.stats.steps < 1_000_000, "{:?}", impact);
     prop_assert!((0.0..=peak).contains(&dent) && dent >= run.touch() * (1.0 - 1e-12), "{} {}", dent, peak);
     prop_assert!((0.0..=dent).contains(&impact.flat_depth), "{:?}", impact.flat_depth);
-    near("dent", impact.elastic_approach + dent, peak, 4e-15 * peak)?;
-    near("memory", run.contact.dent_depth(&run.after), dent, 1e-12 * peak)?;
+    assert_close("dent", impact.elastic_approach + dent, peak, 4e-15 * peak)?;
+    assert_close("memory", run.contact.dent_depth(&run.after), dent, 1e-12 * peak)?;
     let above = impact.peak_force / impact.force_at_peak_indentation - 1.0;
     // fixed steps do not hit the turn of a metal that relaxes there
     prop_assert!(above > -1e-15 || impact.strain_rate_result.is_some() && !run.is_adaptive(), "{:e}", above);
@@ -114,49 +114,49 @@ pub fn sizes_fit_together(run: &Run) -> Judged {
 }
 
 /// The momentum of both bodies stays, and their energies are those of the common motion and of the relative one.
-pub fn momentum_of_both_bodies_stays(run: &Run) -> Judged {
+pub fn momentum_of_both_bodies_stays(run: &Run) -> Judgement {
     let (Some(target), Some(after)) = (run.contact.target_mass(), run.impact.target_speed) else { return Ok(false) };
     let (mass, speed, energy) = (run.contact.mass(), run.speed(), &run.impact.energy);
     let (back, centre) = (-run.impact.rebound_speed, energy.centre_of_mass.unwrap());
-    near("momentum", mass * back + target * after, mass * speed, 1e-13 * (mass * speed).max(target * after))?;
+    assert_close("momentum", mass * back + target * after, mass * speed, 1e-13 * (mass * speed).max(target * after))?;
     let of_both = 0.5 * mass * speed * speed;
-    near("energy before", energy.kinetic_in + centre, of_both, 1e-13 * of_both)?;
+    assert_close("energy before", energy.kinetic_in + centre, of_both, 1e-13 * of_both)?;
     let left = 0.5 * mass * back * back + 0.5 * target * after * after;
-    near("energy after", energy.recovered + centre, left, 2e-13 * of_both)?;
+    assert_close("energy after", energy.recovered + centre, left, 2e-13 * of_both)?;
     Ok(true)
 }
 
 /// Friction makes no energy and no angular momentum, is at most μ times the force, acts against the slip, and its trace ends as the
 /// rebound does.
-pub fn friction_keeps_its_ledger(run: &Run) -> Judged {
+pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
     prop_assert!(
         run.impact.captured_result().is_none() || run.impact.rebound.is_none() && run.impact.oblique.is_none()
     );
     let (Some(incidence), Some(rebound)) = (run.approach.incidence, run.impact.rebound) else { return Ok(false) };
     let (impact, friction, mu) = (&run.impact, run.impact.oblique.unwrap(), incidence.friction);
     let rounding = 1e-12 * friction.kinetic_in;
-    near("friction", friction.recovered + friction.loss, friction.kinetic_in, rounding)?;
+    assert_close("friction", friction.recovered + friction.loss, friction.kinetic_in, rounding)?;
     prop_assert!((-rounding..=friction.kinetic_in + rounding).contains(&friction.loss), "{:?}", friction);
-    near("angular momentum", friction.momentum_drift, 0.0, 1e-13)?;
+    assert_close("angular momentum", friction.momentum_drift, 0.0, 1e-13)?;
     let (radius, [_, along]) = (run.contact.sphere().radius, run.approach.components());
     let size = run.approach.speed + rebound.tangential_speed.abs();
     if let Some([moved, turned]) = rebound.target {
         let (mass, ball) = (run.contact.mass(), run.contact.target_mass().unwrap());
         let of_ball = run.contact.half_space().radius.unwrap();
         let gained = mass * (rebound.tangential_speed - along);
-        near("momentum", gained + ball * moved, 0.0, 1e-12 * (mass + ball) * size)?;
+        assert_close("momentum", gained + ball * moved, 0.0, 1e-12 * (mass + ball) * size)?;
         // about the contact point: the centre of the sphere is above it, that of the ball below
         let spun =
             0.4 * mass * radius * radius * (rebound.spin - incidence.spin) + 0.4 * ball * of_ball * of_ball * turned;
         let angular = gained * radius + spun - ball * of_ball * moved;
-        near("angular momentum of both", angular, 0.0, 1e-12 * (mass + ball) * size * (radius + of_ball))?;
+        assert_close("angular momentum of both", angular, 0.0, 1e-12 * (mass + ball) * size * (radius + of_ball))?;
     }
     if rebound.is_sliding && rebound.psi != 0.0 {
         // the impulse of the whole contact force, and of the weight that it carries
         let impulse = run.contact.reduced_mass() * (1.0 + impact.restitution) * run.speed();
         let impulse = (impulse + run.weight() * impact.contact_time).copysign(rebound.psi);
         let change = run.contact.mass() * (rebound.tangential_speed - along);
-        near("sliding", -change, mu * impulse, (1e-9 + run.slack()) * mu * impulse.abs())?;
+        assert_close("sliding", -change, mu * impulse, (1e-9 + run.error_allowance()) * mu * impulse.abs())?;
     }
     if rebound.psi == 0.0 || !run.is_adaptive() {
         return Ok(false);
@@ -169,9 +169,9 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judged {
     }
     if let [first, .., last] = &impact.trace[..] {
         let [first, last] = [first, last].map(|row| row.friction.unwrap());
-        near("first", first.tangential_speed, along, 1e-12 * size)?;
-        near("last", last.tangential_speed, rebound.tangential_speed, (1e-9 + run.slack()) * size)?;
-        near("last spin", last.spin * radius, rebound.spin * radius, (1e-8 + run.slack()) * size)?;
+        assert_close("first", first.tangential_speed, along, 1e-12 * size)?;
+        assert_close("last", last.tangential_speed, rebound.tangential_speed, (1e-9 + run.error_allowance()) * size)?;
+        assert_close("last spin", last.spin * radius, rebound.spin * radius, (1e-8 + run.error_allowance()) * size)?;
     }
     prop_assert!(
         rebound.psi_after().abs() <= rebound.psi.abs() * (1.0 + 1e-12) && rebound.error < 1e-5,

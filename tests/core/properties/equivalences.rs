@@ -1,17 +1,17 @@
 //! Invariants between an impact and its repetition by another method, without a trace, or as a row of a table.
 
-use super::balances::{Judged, near};
-use super::random_scene::{Given, Run};
+use super::balances::{Judgement, assert_close};
+use super::random_scene::{KeySetting, Run};
 use crate::common::prelude::*;
 
 /// All that is reported of an impact, as text, so that no number is equal to itself too.
-fn text<T: std::fmt::Debug>(result: &T) -> String {
+fn debug_text<T: std::fmt::Debug>(result: &T) -> String {
     format!("{result:?}")
 }
 
 /// A row of a table has the bits of the impact, by the library and in a table of the scenario. With partial slip both are within 1e-5
 /// of each other.
-pub fn a_row_has_the_bits_of_the_impact(run: &Run) -> Judged {
+pub fn a_row_has_the_bits_of_the_impact(run: &Run) -> Judgement {
     if !run.is_fresh() || run.scene.has("impact.drop_height") {
         return Ok(false);
     }
@@ -21,7 +21,7 @@ pub fn a_row_has_the_bits_of_the_impact(run: &Run) -> Judged {
     let mut rows = Rows::default();
     Evaluator::new(&plan).append_rows(0..1, &mut rows);
     let of_library = run.contact.row(run.approach, &run.solver).unwrap();
-    prop_assert_eq!(text(&rows.results[0].unwrap()), text(&of_library));
+    prop_assert_eq!(debug_text(&rows.results[0].unwrap()), debug_text(&of_library));
     let [mut row, mut impact] = [of_library, impact];
     let is_run = |rebound: &Rebound| rebound.psi != 0.0 && (!rebound.is_sliding || rebound.error > 0.0);
     let slips = |of: &ImpactRow| of.rebound.filter(is_run);
@@ -30,12 +30,12 @@ pub fn a_row_has_the_bits_of_the_impact(run: &Run) -> Judged {
         prop_assert!(apart <= 1e-5, "{:e}", apart);
         (row.rebound, impact.rebound) = (None, None);
     }
-    prop_assert_eq!(text(&row), text(&impact));
+    prop_assert_eq!(debug_text(&row), debug_text(&impact));
     Ok(true)
 }
 
 /// A trace changes neither the results nor the work, but for the error of the energy, which its rows show too.
-pub fn a_trace_changes_no_bit(run: &Run) -> Judged {
+pub fn a_trace_changes_no_bit(run: &Run) -> Judgement {
     if matches!(run.solver.method, Method::Auto | Method::ClosedForm) {
         return Ok(false);
     }
@@ -44,7 +44,7 @@ pub fn a_trace_changes_no_bit(run: &Run) -> Judged {
         impact.energy.drift = 0.0;
         impact.warnings.clear();
         impact.trace.clear();
-        text(&impact)
+        debug_text(&impact)
     };
     prop_assert_eq!(with(Some(30)), with(None));
     Ok(true)
@@ -52,12 +52,12 @@ pub fn a_trace_changes_no_bit(run: &Run) -> Judged {
 
 /// Without earlier impacts a spot is fresh surface, to the last bit; and with friction the normal motion is that of the straight
 /// impact.
-pub fn spot_and_friction_leave_the_normal_motion(run: &Run) -> Judged {
+pub fn spot_and_friction_leave_the_normal_motion(run: &Run) -> Judgement {
     if !run.is_fresh() {
         return Ok(false);
     }
     let by = |approach: Approach| run.contact.impact(approach, &run.solver, run.scene.samples).unwrap();
-    prop_assert_eq!(text(&by(run.approach)), text(&run.impact));
+    prop_assert_eq!(debug_text(&by(run.approach)), debug_text(&run.impact));
     if run.approach.incidence.is_none() {
         return Ok(true);
     }
@@ -69,7 +69,7 @@ pub fn spot_and_friction_leave_the_normal_motion(run: &Run) -> Judged {
         impact.warnings.clear();
         impact.trace.iter_mut().for_each(|row| row.friction = None);
     }
-    prop_assert_eq!(text(&oblique), text(&straight));
+    prop_assert_eq!(debug_text(&oblique), debug_text(&straight));
     Ok(true)
 }
 
@@ -80,12 +80,12 @@ pub fn exact(run: &Run, samples: Option<usize>) -> Impact {
 }
 
 /// Every method comes to the same impact within its tolerance, and under gravity to its times.
-pub fn methods_agree(run: &Run) -> Judged {
-    if !run.is_adaptive() || run.turns_at_a_joint() {
+pub fn methods_agree(run: &Run) -> Judgement {
+    if !run.is_adaptive() || run.turns_at_subdivision() {
         return Ok(false);
     }
-    let (got, exact, slack) = (&run.impact, exact(run, None), run.slack());
-    let (peak, size) = (exact.peak_indentation, 2.0 * run.put_in());
+    let (got, exact, slack) = (&run.impact, exact(run, None), run.error_allowance());
+    let (peak, size) = (exact.peak_indentation, 2.0 * run.input_energy());
     for (name, part, unit) in [
         ("peak force", (|of| of.peak_force) as fn(&Impact) -> f64, exact.peak_force),
         ("peak indentation", |of| of.peak_indentation, peak),
@@ -96,7 +96,7 @@ pub fn methods_agree(run: &Run) -> Judged {
         ("recovered", |of| of.energy.recovered, size),
         ("plastic", |of| of.energy.plastic.unwrap_or(0.0), size),
     ] {
-        near(name, part(got), part(&exact), slack * unit)?;
+        assert_close(name, part(got), part(&exact), slack * unit)?;
     }
     let has_times = exact.captured_result().is_none() && got.captured_result().is_none() && exact.restitution > 1e-3;
     if run.contact.forces().is_none() {
@@ -108,7 +108,12 @@ pub fn methods_agree(run: &Run) -> Judged {
             // an integral over the whole law
             ("waves", |of| 0.1 * of.wave_loss_fraction.unwrap_or(0.0)),
         ] {
-            near(name, part(got), part(&exact), slack * part(&exact).max(exact.wave_loss_fraction.unwrap_or(0.0)))?;
+            assert_close(
+                name,
+                part(got),
+                part(&exact),
+                slack * part(&exact).max(exact.wave_loss_fraction.unwrap_or(0.0)),
+            )?;
         }
         prop_assert!(run.earlier.is_some() || got.accuracy.restitution_error <= slack);
     } else if !run.has_drag() && has_times {
@@ -117,63 +122,63 @@ pub fn methods_agree(run: &Run) -> Judged {
         if fine.captured_result().is_some() {
             return Ok(true);
         }
-        near("contact time", fine.contact_time, exact.contact_time, 1e-9 * exact.contact_time)?;
-        near("loading time", fine.loading_time, exact.loading_time, 1e-9 * exact.loading_time)?;
+        assert_close("contact time", fine.contact_time, exact.contact_time, 1e-9 * exact.contact_time)?;
+        assert_close("loading time", fine.loading_time, exact.loading_time, 1e-9 * exact.loading_time)?;
     }
     Ok(true)
 }
 
 /// Damping of nothing takes nothing. The run of it goes by another stepper, and comes to the same impact.
-pub fn damping_of_nothing_changes_nothing(run: &Run) -> Judged {
-    if run.has_drag() || !run.is_adaptive() || run.turns_at_a_joint() {
+pub fn damping_of_nothing_changes_nothing(run: &Run) -> Judgement {
+    if run.has_drag() || !run.is_adaptive() || run.turns_at_subdivision() {
         return Ok(false);
     }
     let nothing = if run.scene.samples.is_some() { Damping::Viscous(0.0) } else { Damping::HuntCrossley(0.0) };
     let damped = run.contact.clone().with_forces(Forces { damping: Some(nothing), ..*run.contact.forces() });
     let solver = solver(Method::Rk8, run.solver.tolerance);
     let got = damped.impact_on(&mut run.before.clone(), run.approach, &solver, None).unwrap();
-    let (want, slack) = (&run.impact, run.slack().max(10.0 * run.solver.tolerance));
+    let (want, slack) = (&run.impact, run.error_allowance().max(10.0 * run.solver.tolerance));
     prop_assert_eq!(got.forces_result.unwrap().damping_loss, Some(0.0));
-    near("peak force", got.peak_force, want.peak_force, 2.0 * slack * want.peak_force)?;
-    near("peak", got.peak_indentation, want.peak_indentation, 2.0 * slack * want.peak_indentation)?;
-    near("dent", got.residual_indentation, want.residual_indentation, 2.0 * slack * want.peak_indentation)?;
-    near("recovered", got.energy.recovered, want.energy.recovered, 4.0 * slack * run.put_in())?;
+    assert_close("peak force", got.peak_force, want.peak_force, 2.0 * slack * want.peak_force)?;
+    assert_close("peak", got.peak_indentation, want.peak_indentation, 2.0 * slack * want.peak_indentation)?;
+    assert_close("dent", got.residual_indentation, want.residual_indentation, 2.0 * slack * want.peak_indentation)?;
+    assert_close("recovered", got.energy.recovered, want.energy.recovered, 4.0 * slack * run.input_energy())?;
     if run.contact.forces().is_none() {
-        near("contact time", got.contact_time, want.contact_time, 2.0 * slack * want.contact_time)?;
+        assert_close("contact time", got.contact_time, want.contact_time, 2.0 * slack * want.contact_time)?;
         prop_assert_eq!(got.has_dent(), want.has_dent());
     }
     if let (Some(one), Some(other)) = (got.rebound, want.rebound) {
-        near("friction", one.impulse_ratio, other.impulse_ratio, 1e-5)?;
+        assert_close("friction", one.impulse_ratio, other.impulse_ratio, 1e-5)?;
     }
     Ok(true)
 }
 
 /// Many fixed steps come near to the impact, with every force and in every dent.
-pub fn fixed_steps_come_near(run: &Run) -> Judged {
-    if run.turns_at_a_joint() || run.impact.captured_result().is_some() {
+pub fn fixed_steps_come_near(run: &Run) -> Judgement {
+    if run.turns_at_subdivision() || run.impact.captured_result().is_some() {
         return Ok(false);
     }
     let steps = Solver { method: Method::Verlet, steps_per_contact: 2000, ..Solver::default() };
     // a sphere that creeps to rest takes too many
     let Ok(fixed) = run.contact.impact_on(&mut run.before.clone(), run.speed(), &steps, None) else { return Ok(false) };
     let exact = exact(run, None);
-    near("peak", fixed.peak_indentation, exact.peak_indentation, 1e-2 * exact.peak_indentation)?;
-    near("recovered", fixed.energy.recovered, exact.energy.recovered, 1e-2 * run.put_in())?;
+    assert_close("peak", fixed.peak_indentation, exact.peak_indentation, 1e-2 * exact.peak_indentation)?;
+    assert_close("recovered", fixed.energy.recovered, exact.energy.recovered, 1e-2 * run.input_energy())?;
     if fixed.captured_result().is_none() && exact.captured_result().is_none() {
-        near("contact time", fixed.contact_time, exact.contact_time, 1e-2 * exact.contact_time)?;
+        assert_close("contact time", fixed.contact_time, exact.contact_time, 1e-2 * exact.contact_time)?;
     }
     Ok(true)
 }
 
 /// Keys without effect change nothing: a harder sphere and a rate of zero to the last bit; flow curves that do not rise, and a body
 /// that is flat and very heavy, to rounding.
-pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judged {
+pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judgement {
     let (scene, contact) = (&run.scene, &run.contact);
-    if !run.is_fresh() || run.approach.incidence.is_some() || run.turns_at_a_joint() {
+    if !run.is_fresh() || run.approach.incidence.is_some() || run.turns_at_subdivision() {
         return Ok(false);
     }
-    let with = |path, number| scene.with(path, Given::Number(number));
-    let (mut others, rounding) = (Vec::new(), 1e-12 + run.slack());
+    let with = |path, number| scene.with(path, KeySetting::Number(number));
+    let (mut others, rounding) = (Vec::new(), 1e-12 + run.error_allowance());
     if let (true, Some(strength), None) =
         (run.is_plm(), contact.half_space().yield_strength, contact.sphere().yield_strength)
     {
@@ -183,11 +188,11 @@ pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judged {
         }
         if !scene.has("half_space.flow_stress") && run.is_adaptive() {
             let voce = with("half_space.flow_stress.voce.rate", 20.0);
-            let level = Given::Points(vec![[1e-3, strength], [0.02, strength]]);
+            let level = KeySetting::Points(vec![[1e-3, strength], [0.02, strength]]);
             others.extend([
                 (with("half_space.flow_stress.power.exponent", 0.0), rounding),
                 (with("half_space.flow_stress.linear.slope", 0.0), rounding),
-                (voce.with("half_space.flow_stress.voce.saturation", Given::Number(0.0)), rounding),
+                (voce.with("half_space.flow_stress.voce.saturation", KeySetting::Number(0.0)), rounding),
                 (scene.with("half_space.flow_stress.points", level), rounding),
             ]);
         }
@@ -197,7 +202,7 @@ pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judged {
         let radius = 1e15 * contact.sphere().radius;
         let heavy = with("half_space.mass", 1e15 * contact.mass());
         let others_of_shape = [radius, -radius].map(|radius| with("half_space.radius", radius));
-        let both = heavy.with("half_space.radius", Given::Number(radius));
+        let both = heavy.with("half_space.radius", KeySetting::Number(radius));
         others.extend(others_of_shape.into_iter().chain([heavy, both]).map(|other| (other, rounding)));
     }
     let mut compared = 0;
@@ -206,8 +211,8 @@ pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judged {
         let [got, want] = [&other.impact, &run.impact];
         if allowed == 0.0 {
             let essentials = ImpactRow { strain_rate_result: None, ..got.essentials };
-            prop_assert_eq!(text(&essentials), text(&want.essentials), "{:?}", other.scene);
-            prop_assert_eq!(text(&got.trace), text(&want.trace), "{:?}", other.scene);
+            prop_assert_eq!(debug_text(&essentials), debug_text(&want.essentials), "{:?}", other.scene);
+            prop_assert_eq!(debug_text(&got.trace), debug_text(&want.trace), "{:?}", other.scene);
         }
         let sizes = [want.peak_force, want.peak_indentation, want.peak_contact_radius, want.loading_time, 1.0];
         let numbers = |of: &Impact| {
@@ -215,10 +220,10 @@ pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judged {
             [&wide[..], &[of.unloading_exponent]].concat()
         };
         for ((got, want), size) in numbers(got).into_iter().zip(numbers(want)).zip(sizes) {
-            near("size", got, want, allowed * size)?;
+            assert_close("size", got, want, allowed * size)?;
         }
-        near("recovered", got.energy.recovered, want.energy.recovered, 4.0 * allowed * run.put_in())?;
-        near("dent", got.residual_indentation, want.residual_indentation, allowed * want.peak_indentation)?;
+        assert_close("recovered", got.energy.recovered, want.energy.recovered, 4.0 * allowed * run.input_energy())?;
+        assert_close("dent", got.residual_indentation, want.residual_indentation, allowed * want.peak_indentation)?;
         compared += 1;
     }
     Ok(compared > 0)
@@ -226,7 +231,7 @@ pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judged {
 
 /// Damping and a plate take energy: the sphere goes in no deeper than without them, and on a plate it is pressed no harder and comes
 /// back no faster, on a thinner one still less.
-pub fn damping_and_a_plate_only_take(run: &Run) -> Judged {
+pub fn damping_and_a_plate_only_take(run: &Run) -> Judgement {
     if !run.has_drag() || !run.is_adaptive() {
         return Ok(false);
     }
@@ -236,16 +241,21 @@ pub fn damping_and_a_plate_only_take(run: &Run) -> Judged {
     // without drag it may go in too deep, or beyond the range of the law
     let Ok(free) = free else { return Ok(false) };
     let (deepest, most) = (run.impact.peak_indentation, free.impact.peak_indentation);
-    prop_assert!(deepest <= most * (1.0 + 1e-8 + run.slack()), "{} {}", deepest, most);
+    prop_assert!(deepest <= most * (1.0 + 1e-8 + run.error_allowance()), "{} {}", deepest, most);
     if let (Some(plate), None) = (run.contact.forces().plate, run.contact.forces().gravity) {
-        let thinner = run.scene.with("half_space.thickness", Given::Number(0.9 * plate.thickness));
+        let thinner = run.scene.with("half_space.thickness", KeySetting::Number(0.9 * plate.thickness));
         // a plate that is too thin is refused
         let thinner = thinner.run().map(|thinner| thinner.impact).ok();
         for [less, more] in
             [[&run.impact, &free.impact]].into_iter().chain(thinner.as_ref().map(|thin| [thin, &run.impact]))
         {
-            prop_assert!(less.peak_force <= more.peak_force * (1.0 + 1e-8 + run.slack()), "{:?} {:?}", less, more);
-            prop_assert!(less.restitution <= more.restitution + 1e-8 + run.slack(), "{:?} {:?}", less, more);
+            prop_assert!(
+                less.peak_force <= more.peak_force * (1.0 + 1e-8 + run.error_allowance()),
+                "{:?} {:?}",
+                less,
+                more
+            );
+            prop_assert!(less.restitution <= more.restitution + 1e-8 + run.error_allowance(), "{:?} {:?}", less, more);
         }
     }
     Ok(true)

@@ -1,7 +1,7 @@
 //! How scenes are drawn: tables of alternatives with their weights, and numbers in units of the scene, so that scenes of all sizes are
 //! alike.
 
-use super::random_scene::{AnyScene, Given};
+use super::random_scene::{AnyScene, KeySetting};
 use crate::common::prelude::*;
 
 /// The unit of a random number.
@@ -25,7 +25,7 @@ use Unit::{PerSpeed, Radius, Range, Si, SpeedOverRadius, SphereMass, Strength, Y
 
 /// The kind of value that is drawn for a key.
 #[derive(Debug, Clone, Copy)]
-enum Form {
+enum Draw {
     Number(f64),
     /// Evenly between two numbers.
     Even(f64, f64),
@@ -39,10 +39,10 @@ enum Form {
     /// Two points of a flow curve.
     Curve,
 }
-use Form::{Beside, Curve, Decades, Even, Law, Number, OneOf};
+use Draw::{Beside, Curve, Decades, Even, Law, Number, OneOf};
 
 /// Alternatives with their weights, and the keys of each; the simplest one first.
-type Table = &'static [(u32, &'static [(&'static str, Form, Unit)])];
+type Table = &'static [(u32, &'static [(&'static str, Draw, Unit)])];
 
 const PRESSURE_SHAPE: &[&str] = &["pressure-shape"];
 
@@ -60,8 +60,8 @@ const BODIES: Table = &[(
         ("half_space.poissons_ratio", Even(-0.9, 0.49), Si),
     ],
 )];
-const BALL: (&str, Form, Unit) = ("half_space.mass", OneOf(&["ball"]), Si);
-const DENSITY: (&str, Form, Unit) = ("half_space.density", Decades(2.0, 4.3), Si);
+const BALL: (&str, Draw, Unit) = ("half_space.mass", OneOf(&["ball"]), Si);
+const DENSITY: (&str, Draw, Unit) = ("half_space.density", Decades(2.0, 4.3), Si);
 /// Curved walls, a body that is free to move, a ball.
 const SHAPES: Table = &[
     (20, &[]),
@@ -70,7 +70,7 @@ const SHAPES: Table = &[
     (1, &[("half_space.mass", Decades(-1.0, 1.0), SphereMass)]),
     (2, &[("half_space.radius", Decades(-0.7, 0.7), Radius), DENSITY, BALL]),
 ];
-const SOFTER: (&str, Form, Unit) = ("half_space.yield_strength", Number(1.0), Strength);
+const SOFTER: (&str, Draw, Unit) = ("half_space.yield_strength", Number(1.0), Strength);
 /// Which bodies yield; the strength of the sphere may be far from that of the half-space, or within the ratio where both flow.
 const STRENGTHS: Table = &[
     (11, &[SOFTER]),
@@ -151,7 +151,7 @@ const SOLVERS: Table = &[(1, &[("solver.method", OneOf(METHODS), Si), ("solver.t
 const TABLES: [Table; 12] =
     [BODIES, SPHERES, SHAPES, STRENGTHS, LAWS, FLOWS, RATES, GRAVITIES, DRAGS, SPEEDS, OBLIQUES, SOLVERS];
 
-type Keys = Vec<(&'static str, Given, Unit)>;
+type Keys = Vec<(&'static str, KeySetting, Unit)>;
 
 /// Any scene of one impact: σ_Y/E* from 1e-5 to 0.1, sometimes an earlier hit on the same spot, and a trace.
 pub fn any_scene() -> impl Strategy<Value = AnyScene> {
@@ -166,7 +166,7 @@ pub fn any_scene() -> impl Strategy<Value = AnyScene> {
                 left < 0.0
             });
             for ((path, form, unit), share) in chosen.unwrap().1.iter().zip(numbers) {
-                keys.push((path, given(*form, share), *unit));
+                keys.push((path, draw_value(*form, share), *unit));
             }
         }
         // other laws have neither; and what is given twice counts once
@@ -181,39 +181,39 @@ pub fn any_scene() -> impl Strategy<Value = AnyScene> {
         });
         // a few traces are long
         let samples = samples.map(|samples| if samples < 59 { samples } else { 1001 });
-        AnyScene { keys: in_si(&keys, 10_f64.powf(log)), earlier, samples }
+        AnyScene { keys: to_si(&keys, 10_f64.powf(log)), earlier, samples }
     })
 }
 
 /// The value by an even share from 0 to 1.
-fn given(form: Form, share: f64) -> Given {
+fn draw_value(form: Draw, share: f64) -> KeySetting {
     let between = |low: f64, high: f64| low + share * (high - low);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)]
     let place = |count: usize| (share * count as f64) as usize;
     match form {
-        Number(number) => Given::Number(number),
-        Even(low, high) => Given::Number(between(low, high)),
-        Decades(low, high) => Given::Number(10_f64.powf(between(low, high))),
-        Beside(sign) => Given::Number(1.0 + sign * 10_f64.powf(between(-15.0, -1.0))),
-        OneOf(words) => Given::Word(format!("\"{}\"", words[place(words.len())])),
+        Number(number) => KeySetting::Number(number),
+        Even(low, high) => KeySetting::Number(between(low, high)),
+        Decades(low, high) => KeySetting::Number(10_f64.powf(between(low, high))),
+        Beside(sign) => KeySetting::Number(1.0 + sign * 10_f64.powf(between(-15.0, -1.0))),
+        OneOf(words) => KeySetting::Word(format!("\"{}\"", words[place(words.len())])),
         Law => {
             let laws = crate::contact::laws::whole_laws();
-            Given::Word(format!("\"{}\"", laws[place(laws.len())].1.name()))
+            KeySetting::Word(format!("\"{}\"", laws[place(laws.len())].1.name()))
         }
         // of two stresses and a strain one number makes three
         Curve => {
             let [strain, second] = [10_f64.powf(between(-3.0, -1.3)), (1e3 * share).fract()];
             let first = 1.0 + 0.5 * (1e6 * share).fract();
-            Given::Points(vec![[strain, first], [3.0 * strain, first * (1.0 + second)]])
+            KeySetting::Points(vec![[strain, first], [3.0 * strain, first * (1.0 + second)]])
         }
     }
 }
 
 /// These keys with numbers in SI, where the strength is this share of E*.
-fn in_si(keys: &[(&'static str, Given, Unit)], strain: f64) -> Vec<(&'static str, Given)> {
+fn to_si(keys: &[(&'static str, KeySetting, Unit)], strain: f64) -> Vec<(&'static str, KeySetting)> {
     let find = |path: &str| keys.iter().find(|(key, ..)| *key == path);
     let of = |path: &str| match find(path) {
-        Some((_, Given::Number(number), _)) => *number,
+        Some((_, KeySetting::Number(number), _)) => *number,
         _ => f64::INFINITY,
     };
     let modulus = |body: &str| {
@@ -230,14 +230,15 @@ fn in_si(keys: &[(&'static str, Given, Unit)], strain: f64) -> Vec<(&'static str
     let by_hand = (0.8 * force * indentation / mass).sqrt();
     let convert = |yield_speed: f64| {
         let speed = match find("impact.speed") {
-            Some((_, Given::Number(share), Range)) => {
+            Some((_, KeySetting::Number(share), Range)) => {
                 let highest = (0.03 / (strain * strain)).log10().min(4.0);
                 yield_speed * 10_f64.powf(-3.0 + share * (highest + 3.0))
             }
-            Some((_, Given::Number(share), _)) => yield_speed * share,
+            Some((_, KeySetting::Number(share), _)) => yield_speed * share,
             _ => 0.0,
         };
-        let weight = if let Some((_, Given::Number(weight), _)) = find("gravity.acceleration") { *weight } else { 0.0 };
+        let weight =
+            if let Some((_, KeySetting::Number(weight), _)) = find("gravity.acceleration") { *weight } else { 0.0 };
         let fallen = (2.0 * weight * force / mass * indentation * (1.0 + 3.0 * weight)).sqrt();
         let size = |unit| match unit {
             Si => 1.0,
@@ -249,20 +250,20 @@ fn in_si(keys: &[(&'static str, Given, Unit)], strain: f64) -> Vec<(&'static str
             PerSpeed => 1.0 / speed.hypot(fallen),
             SpeedOverRadius => speed / radius,
         };
-        let in_unit = |given: &Given, unit: Unit| match given {
-            Given::Number(_) if matches!(unit, YieldSpeed | Range) => Given::Number(speed),
-            Given::Number(number) => Given::Number(number * size(unit)),
-            Given::Points(points) => {
-                Given::Points(points.iter().map(|[strain, stress]| [*strain, stress * size(unit)]).collect())
+        let in_unit = |given: &KeySetting, unit: Unit| match given {
+            KeySetting::Number(_) if matches!(unit, YieldSpeed | Range) => KeySetting::Number(speed),
+            KeySetting::Number(number) => KeySetting::Number(number * size(unit)),
+            KeySetting::Points(points) => {
+                KeySetting::Points(points.iter().map(|[strain, stress]| [*strain, stress * size(unit)]).collect())
             }
-            Given::Word(word) => Given::Word(word.clone()),
+            KeySetting::Word(word) => KeySetting::Word(word.clone()),
         };
         keys.iter().map(|(path, given, unit)| (*path, in_unit(given, *unit))).collect()
     };
     // the contact itself knows its speed at first yield to the last bit
     let begins = ["impact", "sphere.spin", "friction", "damping", "gravity", "solver", "half_space.thickness"];
     let scene = AnyScene { keys: convert(by_hand), earlier: None, samples: None };
-    let scene = scene.without(&begins).with("impact.speed", Given::Number(by_hand));
+    let scene = scene.without(&begins).with("impact.speed", KeySetting::Number(by_hand));
     let yield_speed = scene.input().ok().and_then(|input| input.contact().ok()?.yield_speed());
     convert(yield_speed.unwrap_or(by_hand))
 }

@@ -2,7 +2,7 @@
 
 use plm_impact::impact::indentation::SetPoint::{Indentation as To, Load};
 
-use super::balances::{Judged, near};
+use super::balances::{Judgement, assert_close};
 use super::random_scene::Run;
 use super::trace::rank;
 use crate::common::prelude::*;
@@ -20,7 +20,7 @@ fn law_of(run: &Run) -> Option<(Scales, &Law, Option<LoadingHistory>)> {
 
 /// Every row of the trace has the force of the law at its indentation: on the loading curve, up the branch of an old dent, and down
 /// the branch of the peak. A captured sphere rests where that branch carries its weight.
-pub fn rows_lie_on_the_law(run: &Run) -> Judged {
+pub fn rows_lie_on_the_law(run: &Run) -> Judgement {
     let Some((scales, law, dent)) = law_of(run) else { return Ok(false) };
     let (impact, ground) = (&run.impact, Surface::new(law, dent.as_ref()));
     let unloading = ground.unloading(ground.loaded_state(impact.peak_indentation / scales.length));
@@ -32,21 +32,21 @@ pub fn rows_lie_on_the_law(run: &Run) -> Judged {
         let x = row.indentation / scales.length;
         let want = if rank(row) == 2 { unloading.force(x) } else { ground.loaded_state(x).force };
         let got = row.elastic_force.unwrap_or(row.force);
-        near("force", got, want * scales.force, rounding * impact.force_at_peak_indentation)?;
+        assert_close("force", got, want * scales.force, rounding * impact.force_at_peak_indentation)?;
     }
     // one that creeps to rest has not turned
     let at_rest = impact.captured_result().and_then(|under| under.static_indentation);
     if let Some(at_rest) = at_rest.filter(|at_rest| *at_rest < 0.99 * impact.peak_indentation) {
         let weight = run.contact.mass() * run.contact.forces().gravity.unwrap();
         let carried = unloading.force(at_rest / scales.length) * scales.force;
-        near("weight", carried, weight, 1e-9 * weight + rounding * impact.force_at_peak_indentation)?;
+        assert_close("weight", carried, weight, 1e-9 * weight + rounding * impact.force_at_peak_indentation)?;
     }
     Ok(!trace.is_empty())
 }
 
 /// The exponent of unloading is the one that was asked for, to the last bit where it is a number, or the one that gives back just what
 /// was spent, of which a warning tells.
-pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judged {
+pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judgement {
     let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
     let UnloadingRule::Plm(rule) = &law.unloading_rule else { return Ok(false) };
     let LawChoice::Plm(plm) = run.scene.input().unwrap().law() else { return Ok(false) };
@@ -72,11 +72,11 @@ pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judged {
         return Ok(false);
     }
     if gives_all > asked * (1.0 + 1e-12) {
-        near("raised exponent", used, gives_all, 1e-12)?;
+        assert_close("raised exponent", used, gives_all, 1e-12)?;
         prop_assert!(is_raised || gives_all < asked * (1.0 + 1e-9), "{} {}", gives_all, asked);
     } else {
         let rounding = if plm.exponent == UnloadingExponent::PressureShape { 1e-13 } else { 0.0 };
-        near("exponent", used, asked, rounding)?;
+        assert_close("exponent", used, asked, rounding)?;
         prop_assert!(!is_raised, "{} {}", gives_all, asked);
     }
     Ok(true)
@@ -84,7 +84,7 @@ pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judged {
 
 /// A contact that is only asked for its force goes up the loading curve, down the branch, up it again, and on beyond the old peak. Its
 /// energy is the work of this force, and its stiffness the slope.
-pub fn a_force_with_a_memory_goes_the_same_way(run: &Run) -> Judged {
+pub fn a_force_with_a_memory_goes_the_same_way(run: &Run) -> Judgement {
     let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
     let (contact, mut memory) = (&run.contact, Memory::default());
     let peak = law.loaded_state(run.impact.peak_indentation / scales.length);
@@ -96,19 +96,19 @@ pub fn a_force_with_a_memory_goes_the_same_way(run: &Run) -> Judged {
         let force = contact.force(x * scales.length, &mut memory);
         let want = if x > peak.indentation { law.loaded_state(x).force } else { unloading.force(x) };
         let rounding = 1e-13 * peak.indentation / peak.elastic_approach;
-        near("force", force / scales.force, want, rounding * peak.force)?;
+        assert_close("force", force / scales.force, want, rounding * peak.force)?;
         prop_assert_eq!(contact.force(x * scales.length, &mut memory.clone()), force, "asked twice");
         prop_assert!(share > 1.0 || before == Memory::default() || before == memory, "{:?}", memory);
         if share <= 1.0 {
             let ContactEnergy { stored, plastic } = contact.energy(x * scales.length, force, &memory);
-            near("stored", stored / scales.energy(), unloading.stored_energy(x), rounding * size)?;
-            near("plastic", plastic / scales.energy(), spent - unloading.recoverable_energy(), 1e-12 * spent)?;
+            assert_close("stored", stored / scales.energy(), unloading.stored_energy(x), rounding * size)?;
+            assert_close("plastic", plastic / scales.energy(), spent - unloading.recoverable_energy(), 1e-12 * spent)?;
         }
         if share == 0.6 {
             let step = 1e-5 * peak.elastic_approach;
             let slope = (unloading.force(x + step) - unloading.force(x - step)) / (2.0 * step);
             let stiffness = contact.stiffness(x * scales.length, &memory) * scales.length / scales.force;
-            near("stiffness", stiffness, slope, 1e-6 * slope)?;
+            assert_close("stiffness", stiffness, slope, 1e-6 * slope)?;
         }
     }
     prop_assert!(contact.pair().yield_point.is_some() || memory == Memory::default());
@@ -117,7 +117,7 @@ pub fn a_force_with_a_memory_goes_the_same_way(run: &Run) -> Judged {
 
 /// A slow indentation to the depth of an impact has its force and dent, takes its kinetic energy, and gives back what the impact does.
 /// Cycles below that depth change nothing of it, and the cycle after it runs back up the branch.
-pub fn a_slow_indentation_is_the_impact_without_motion(run: &Run) -> Judged {
+pub fn a_slow_indentation_is_the_impact_without_motion(run: &Run) -> Judgement {
     let Some((_, _, None)) = law_of(run) else { return Ok(false) };
     let Ok(impact) = run.contact.clone().with_forces(Forces::default()).closed_form(run.speed()) else {
         return Ok(false);
@@ -130,32 +130,42 @@ pub fn a_slow_indentation_is_the_impact_without_motion(run: &Run) -> Judged {
     let steps = slow.indent(&[To(depth), Load(0.0), To(depth)], None).unwrap().steps;
     let [up, down, again] = steps[..] else { panic!("three steps") };
     let kinetic = impact.kinetic_in;
-    near("force", up.force, impact.force_at_peak_indentation, 1e-12 * up.force)?;
-    near("dent", up.memory.residual_indentation, impact.residual_indentation, 1e-12 * depth)?;
+    assert_close("force", up.force, impact.force_at_peak_indentation, 1e-12 * up.force)?;
+    assert_close("dent", up.memory.residual_indentation, impact.residual_indentation, 1e-12 * depth)?;
     if impact.has_dent() {
-        near("radius", up.memory.contact_radius, impact.peak_contact_radius, 1e-12 * impact.peak_contact_radius)?;
+        assert_close(
+            "radius",
+            up.memory.contact_radius,
+            impact.peak_contact_radius,
+            1e-12 * impact.peak_contact_radius,
+        )?;
     }
     let slope = impact.unloading_exponent * up.force / impact.elastic_approach;
-    prop_assert!(!run.is_plm() || off(up.memory.unloading_stiffness, slope) < 1e-11, "{:?}", up.memory);
-    near("work", up.work, kinetic, 1e-12 * kinetic)?;
-    near("back", -down.work, impact.restitution.powi(2) * kinetic, 1e-12 * kinetic)?;
-    near("plastic", up.plastic_work, up.work + down.work, 1e-12 * kinetic)?;
+    prop_assert!(!run.is_plm() || relative_error(up.memory.unloading_stiffness, slope) < 1e-11, "{:?}", up.memory);
+    assert_close("work", up.work, kinetic, 1e-12 * kinetic)?;
+    assert_close("back", -down.work, impact.restitution.powi(2) * kinetic, 1e-12 * kinetic)?;
+    assert_close("plastic", up.plastic_work, up.work + down.work, 1e-12 * kinetic)?;
     prop_assert_eq!((again.plastic_work, again.memory), (0.0, up.memory));
-    near("force again", again.force, up.force, 1e-12 * up.force)?;
-    near("work again", again.work, -down.work, 1e-12 * kinetic)?;
+    assert_close("force again", again.force, up.force, 1e-12 * up.force)?;
+    assert_close("work again", again.work, -down.work, 1e-12 * kinetic)?;
     // above the lower peak the law may have no answer
     if let Ok(cycles) = slow.indent(&[To(0.4 * depth), Load(0.0), To(depth)], None) {
         let last = cycles.steps[2];
-        near("force of cycles", last.force, up.force, 1e-13 * up.force)?;
-        near("dent of cycles", last.memory.residual_indentation, up.memory.residual_indentation, 1e-13 * depth)?;
+        assert_close("force of cycles", last.force, up.force, 1e-13 * up.force)?;
+        assert_close(
+            "dent of cycles",
+            last.memory.residual_indentation,
+            up.memory.residual_indentation,
+            1e-13 * depth,
+        )?;
         let plastic = cycles.steps.iter().map(|step| step.plastic_work).sum::<f64>();
-        near("plastic work of cycles", plastic, up.plastic_work, 1e-12 * kinetic)?;
+        assert_close("plastic work of cycles", plastic, up.plastic_work, 1e-12 * kinetic)?;
     }
     Ok(true)
 }
 
 /// Under the damping of Hunt and Crossley alone the force at every speed has a closed form, on any spot.
-pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judged {
+pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judgement {
     let (Some((scales, law, dent)), Forces { gravity: None, damping, plate: None, .. }) =
         (law_of(run), *run.contact.forces())
     else {
@@ -166,7 +176,7 @@ pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judged {
     };
     let damped = crate::impact::forces::damped(chi * scales.speed);
     let exact = exact_solutions::solve(Surface::new(law, dent.as_ref()), run.speed() / scales.speed, &damped);
-    let allowed = 10.0 * run.slack() + 1e-9;
+    let allowed = 10.0 * run.error_allowance() + 1e-9;
     for (name, got, want) in [
         ("restitution", run.impact.restitution, exact.restitution),
         ("largest force", run.impact.peak_force / scales.force, exact.largest_force),
@@ -174,22 +184,22 @@ pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judged {
         ("loading time", run.impact.loading_time / scales.time(), exact.loading_time),
         ("contact time", run.impact.contact_time / scales.time(), exact.contact_time),
     ] {
-        near(name, got, want, allowed * want)?;
+        assert_close(name, got, want, allowed * want)?;
     }
     Ok(true)
 }
 
 /// The energy fraction of elastic waves is the integral over loading and unloading.
-pub fn waves_take_the_integral(run: &Run) -> Judged {
+pub fn waves_take_the_integral(run: &Run) -> Judgement {
     let is_alone = run.contact.forces().is_none() && run.is_fresh() && run.is_plm() && !run.contact.has_rate();
     let Some(share) = run.impact.wave_loss_fraction.filter(|_| is_alone && run.is_adaptive()) else { return Ok(false) };
     let want = crate::impact::waves::loss_by_quadrature(&run.contact, run.speed());
-    near("waves", share, want, (1e-10 + run.slack()) * want)?;
+    assert_close("waves", share, want, (1e-10 + run.error_allowance()) * want)?;
     Ok(true)
 }
 
 /// An impact has the warning of its depth just if its depth exceeds the depth limit that a code without impacts gets.
-pub fn an_impact_deeper_than_the_data_is_warned_of(run: &Run) -> Judged {
+pub fn an_impact_deeper_than_the_data_is_warned_of(run: &Run) -> Judgement {
     let is_of_depth = |warning: &Warning| match warning.kind {
         WarningKind::DeepDent | WarningKind::BeyondFlowCurve => true,
         WarningKind::OutsideStated => {
@@ -199,8 +209,8 @@ pub fn an_impact_deeper_than_the_data_is_warned_of(run: &Run) -> Judged {
         }
         _ => false,
     };
-    let (depth, deepest) = (run.impact.peak_indentation, run.own().validated_indentation());
-    if !run.is_fresh() || off(depth, deepest) < 1e-9 {
+    let (depth, deepest) = (run.impact.peak_indentation, run.contact_at_own_rate().validated_indentation());
+    if !run.is_fresh() || relative_error(depth, deepest) < 1e-9 {
         return Ok(false);
     }
     prop_assert_eq!(run.impact.warnings.iter().any(is_of_depth), depth > deepest, "{} {}", depth, deepest);

@@ -14,14 +14,14 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use crate::common::prelude::*;
-use balances::Judged;
+use balances::Judgement;
 use generators::any_scene;
 use random_scene::Run;
 
 /// A name, what has to hold, and the least share of the scenes \[%\] in which it can be judged.
-type Invariant = (&'static str, fn(&Run) -> Judged, usize);
+type Invariant = (&'static str, fn(&Run) -> Judgement, usize);
 
-const ALONE: [Invariant; 11] = [
+const SINGLE_IMPACT_INVARIANTS: [Invariant; 11] = [
     ("the ledger closes", balances::the_ledger_closes, 60),
     ("the reported energies add up", balances::the_reported_energies_add_up, 70),
     ("restitution is a ratio", balances::restitution_is_a_ratio, 60),
@@ -35,7 +35,7 @@ const ALONE: [Invariant; 11] = [
     ("depth is warned of", law::an_impact_deeper_than_the_data_is_warned_of, 40),
 ];
 
-const COMPARED: [Invariant; 18] = [
+const COMPARISON_INVARIANTS: [Invariant; 18] = [
     ("a row has the bits of the impact", equivalences::a_row_has_the_bits_of_the_impact, 60),
     ("a trace changes no bit", equivalences::a_trace_changes_no_bit, 50),
     ("spot and friction leave the normal motion", equivalences::spot_and_friction_leave_the_normal_motion, 60),
@@ -57,7 +57,7 @@ const COMPARED: [Invariant; 18] = [
 ];
 
 /// These must occur among the scenes that have a result, each in a hundredth of them at least.
-const KINDS: [&str; 20] = [
+const REQUIRED_KINDS: [&str; 20] = [
     "sphere.youngs_modulus=\"rigid\"",
     "sphere.yield_strength",
     "half_space.yield_strength",
@@ -81,10 +81,10 @@ const KINDS: [&str; 20] = [
 ];
 
 /// Checks that all invariants hold in `count` random scenes. A scene is computed, or refused for a reason that it has.
-fn hold(count: u32, invariants: &[Invariant]) {
+fn check_invariants(count: u32, invariants: &[Invariant]) {
     let counts = RefCell::new(BTreeMap::<&str, usize>::new());
     let add = |name| *counts.borrow_mut().entry(name).or_default() += 1;
-    let computed = checked(count, &any_scene(), |scene| {
+    let computed = check_property(count, &any_scene(), |scene| {
         let run = match scene.run() {
             Ok(run) => run,
             Err(refused) => {
@@ -93,7 +93,7 @@ fn hold(count: u32, invariants: &[Invariant]) {
             }
         };
         let text = format!("{scene:?}");
-        KINDS.into_iter().filter(|kind| text.contains(kind)).for_each(add);
+        REQUIRED_KINDS.into_iter().filter(|kind| text.contains(kind)).for_each(add);
         for (name, invariant, _) in invariants {
             if invariant(&run).map_err(|error| TestCaseError::fail(format!("{name}: {error}")))? {
                 add(name);
@@ -101,9 +101,9 @@ fn hold(count: u32, invariants: &[Invariant]) {
         }
         Ok(true)
     });
-    let (all, counts) = (cases(count).cases as usize, counts.into_inner());
+    let (all, counts) = (proptest_config(count).cases as usize, counts.into_inner());
     assert!(100 * computed > 70 * all, "only {computed} of {all} scenes have a result");
-    let least = invariants.iter().map(|(name, _, share)| (*name, *share)).chain(KINDS.map(|kind| (kind, 1)));
+    let least = invariants.iter().map(|(name, _, share)| (*name, *share)).chain(REQUIRED_KINDS.map(|kind| (kind, 1)));
     for (name, share) in least {
         let found = counts.get(name).copied().unwrap_or(0);
         assert!(100 * found >= share * all, "{name}: {found} of {all} scenes");
@@ -112,10 +112,10 @@ fn hold(count: u32, invariants: &[Invariant]) {
 
 #[test]
 fn single_impact_invariants_hold() {
-    hold(1500, &ALONE);
+    check_invariants(1500, &SINGLE_IMPACT_INVARIANTS);
 }
 
 #[test]
 fn comparison_invariants_hold() {
-    hold(1000, &COMPARED);
+    check_invariants(1000, &COMPARISON_INVARIANTS);
 }

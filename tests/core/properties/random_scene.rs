@@ -8,7 +8,7 @@ use crate::common::prelude::*;
 
 /// The value of a key.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Given {
+pub enum KeySetting {
     Number(f64),
     Word(String),
     /// Points of a flow curve.
@@ -18,7 +18,7 @@ pub enum Given {
 /// A scene of one impact.
 #[derive(Clone)]
 pub struct AnyScene {
-    pub keys: Vec<(&'static str, Given)>,
+    pub keys: Vec<(&'static str, KeySetting)>,
     /// Speed of an earlier impact on the same spot, over the speed of this one.
     pub earlier: Option<f64>,
     pub samples: Option<usize>,
@@ -33,12 +33,12 @@ impl fmt::Debug for AnyScene {
 
 impl AnyScene {
     fn overrides(&self) -> Vec<String> {
-        let text = |(key, given): &(&str, Given)| match given {
+        let text = |(key, given): &(&str, KeySetting)| match given {
             // an angle has to have its unit
-            Given::Number(number) if *key == "impact.angle" => format!("{key}=\"{number:e} rad\""),
-            Given::Number(number) => format!("{key}={number:e}"),
-            Given::Word(word) => format!("{key}={word}"),
-            Given::Points(points) => format!("{key}={points:?}"),
+            KeySetting::Number(number) if *key == "impact.angle" => format!("{key}=\"{number:e} rad\""),
+            KeySetting::Number(number) => format!("{key}={number:e}"),
+            KeySetting::Word(word) => format!("{key}={word}"),
+            KeySetting::Points(points) => format!("{key}={points:?}"),
         };
         self.keys.iter().map(text).collect()
     }
@@ -55,23 +55,23 @@ impl AnyScene {
     }
 
     /// This scene with a key more, or with another value of it.
-    pub fn with(&self, path: &'static str, given: Given) -> Self {
+    pub fn with(&self, path: &'static str, given: KeySetting) -> Self {
         let mut scene = self.without(&[path]);
         scene.keys.push((path, given));
         scene
     }
 
     /// The scenario, with these overrides more.
-    pub fn scenario(&self, more: &[String]) -> Result<Scenario, Refused> {
-        Scenario::from_text("s.toml", "", &[self.overrides(), more.to_vec()].concat()).map_err(Refused::ByKeys)
+    pub fn scenario(&self, more: &[String]) -> Result<Scenario, RefusalReason> {
+        Scenario::from_text("s.toml", "", &[self.overrides(), more.to_vec()].concat()).map_err(RefusalReason::ByKeys)
     }
 
-    pub fn input(&self) -> Result<Input, Refused> {
-        self.scenario(&[])?.resolve().map_err(Refused::ByKeys)
+    pub fn input(&self) -> Result<Input, RefusalReason> {
+        self.scenario(&[])?.resolve().map_err(RefusalReason::ByKeys)
     }
 
     /// The impact of this scene, by its solver and on its spot.
-    pub fn run(&self) -> Result<Run, Refused> {
+    pub fn run(&self) -> Result<Run, RefusalReason> {
         let input = self.input()?;
         let contact = input.contact()?;
         let (approach, solver) = (input.approach(), input.solver());
@@ -86,14 +86,14 @@ impl AnyScene {
     }
 
     /// Whether a refusal has a reason that this scene has.
-    pub fn explains(&self, refused: &Refused) -> bool {
+    pub fn explains(&self, refused: &RefusalReason) -> bool {
         let is_plm = !self.has("law") || self.has("law.plm");
         match refused {
-            Refused::ByKeys(error) => {
+            RefusalReason::ByKeys(error) => {
                 let text = error.to_string();
                 error.kind == ErrorKind::Input && self.keys.iter().any(|(key, _)| text.contains(key))
             }
-            Refused::ByImpact(error) => match error {
+            RefusalReason::ByImpact(error) => match error {
                 ImpactError::TooDeep { indentation, contact_radius, radius, .. } => {
                     indentation > radius || contact_radius > radius
                 }
@@ -113,12 +113,12 @@ impl AnyScene {
 
 /// Why a scene has no impact.
 #[derive(Debug)]
-pub enum Refused {
+pub enum RefusalReason {
     ByKeys(Error),
     ByImpact(ImpactError),
 }
 
-impl From<ImpactError> for Refused {
+impl From<ImpactError> for RefusalReason {
     fn from(error: ImpactError) -> Self {
         Self::ByImpact(error)
     }
@@ -146,7 +146,7 @@ impl Run {
     }
 
     /// The contact with the strength of the strain rate of this impact.
-    pub fn own(&self) -> Contact {
+    pub fn contact_at_own_rate(&self) -> Contact {
         self.contact.at_speed(self.speed()).unwrap()
     }
 
@@ -183,14 +183,14 @@ impl Run {
     }
 
     /// Kinetic energy at first touch, and the work of the weight down to the peak.
-    pub fn put_in(&self) -> f64 {
+    pub fn input_energy(&self) -> f64 {
         self.impact.kinetic_in + self.weight() * (self.impact.peak_indentation - self.touch())
     }
 
     /// The error that a method may leave: ten tolerances, and rounding. The methods of `ode_solvers` step in time, in which a
     /// damped force is not smooth: they lose one more digit. On a plate the error is twice as large. The closed form takes its
     /// times under gravity at the tolerance of the solver; all else of it, and the run of its trace, has a tolerance of 1e-13.
-    pub fn slack(&self) -> f64 {
+    pub fn error_allowance(&self) -> f64 {
         let Forces { gravity, damping, plate, .. } = *self.contact.forces();
         let is_exact = self.impact.method == Method::ClosedForm && gravity.is_none();
         let tolerance = if is_exact { 1e-13 } else { self.solver.tolerance };
@@ -205,14 +205,15 @@ impl Run {
 
     /// True if it turns so near to a joint of the law that its tolerance does not say on which side: there the contact radius of some
     /// laws jumps, and at first yield e, by an exponent above 3/2. On a plate this is so of the impact without it too.
-    pub fn turns_at_a_joint(&self) -> bool {
-        let own = self.own();
+    pub fn turns_at_subdivision(&self) -> bool {
+        let own = self.contact_at_own_rate();
         let (scales, law, _) = own.scaling(self.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
         let peak = self.impact.peak_indentation / scales.length;
-        if own.yield_speed().is_some_and(|yields| off(self.speed(), yields) <= 10.0 * self.slack()) {
+        if own.yield_speed().is_some_and(|yields| relative_error(self.speed(), yields) <= 10.0 * self.error_allowance())
+        {
             return true;
         }
         let starts = law.loading.pieces().iter().map(|piece| piece.start).chain([law.validity.elastic_until]);
-        starts.filter(|start| *start > 0.0).any(|start| off(peak, start) <= 10.0 * self.slack())
+        starts.filter(|start| *start > 0.0).any(|start| relative_error(peak, start) <= 10.0 * self.error_allowance())
     }
 }

@@ -1,32 +1,32 @@
 //! Invariants of the surface: its memory, its strength, and the law of the pair.
 
-use super::balances::{Judged, near};
+use super::balances::{Judgement, assert_close};
 use super::random_scene::Run;
 use crate::common::prelude::*;
 
 /// A second impact is as deep as one impact with its energy and the energy that the first one kept. An elastic one does not change
 /// the memory in any bit, and takes twice the time of its loading; and the rebound comes back to the same peak.
-pub fn a_spot_remembers(run: &Run) -> Judged {
+pub fn a_spot_remembers(run: &Run) -> Judgement {
     let (Some(earlier), contact) = (&run.earlier, &run.contact) else { return Ok(false) };
     if !contact.forces().is_none() || contact.has_rate() || contact.target_mass().is_some() {
         return Ok(false);
     }
     let mut spot = Spot::new();
-    let before = shot(contact, &mut spot, (2.0 * earlier.kinetic_in / contact.mass()).sqrt());
+    let before = closed_form_on_spot(contact, &mut spot, (2.0 * earlier.kinetic_in / contact.mass()).sqrt());
     let dented = spot.clone();
-    let second = shot(contact, &mut spot, run.speed());
-    near("drift", second.energy.drift, 0.0, 1e-12)?;
+    let second = closed_form_on_spot(contact, &mut spot, run.speed());
+    assert_close("drift", second.energy.drift, 0.0, 1e-12)?;
     let [old, new] = [&dented, &spot].map(|spot| contact.dent_depth(spot));
     prop_assert!(new >= old, "{} {}", old, new);
     // to the last bit by the PLM
     let rounding = if run.is_plm() { 0.0 } else { 1e-15 * second.peak_indentation };
-    near("dent", second.residual_indentation, new, rounding)?;
+    assert_close("dent", second.residual_indentation, new, rounding)?;
     if spot == dented && dented != Spot::new() {
         prop_assert_eq!((second.restitution, second.plastic_fraction), (1.0, 0.0));
         prop_assert!(second.peak_force <= before.peak_force * (1.0 + 1e-14) && new == old, "{:?}", second);
-        near("contact time", second.contact_time, 2.0 * second.loading_time, 1e-13 * second.contact_time)?;
+        assert_close("contact time", second.contact_time, 2.0 * second.loading_time, 1e-13 * second.contact_time)?;
         prop_assert_eq!(second.dent_radius, before.dent_radius);
-        near(
+        assert_close(
             "unloading radius",
             second.unloading_radius,
             before.unloading_radius,
@@ -40,16 +40,16 @@ pub fn a_spot_remembers(run: &Run) -> Judged {
     }
     if new > 0.0 {
         let mut again = spot.clone();
-        let back = shot(contact, &mut again, second.rebound_speed);
+        let back = closed_form_on_spot(contact, &mut again, second.rebound_speed);
         prop_assert!(back.restitution == 1.0 && (again == spot || rounding > 0.0), "{:?}", back);
-        near("same dent", back.residual_indentation, second.residual_indentation, 2.0 * rounding)?;
+        assert_close("same dent", back.residual_indentation, second.residual_indentation, 2.0 * rounding)?;
         if is_deeper {
             for (name, got, want) in [
                 ("force", back.peak_force, second.peak_force),
                 ("peak", back.peak_indentation, second.peak_indentation),
                 ("radius", back.peak_contact_radius, second.peak_contact_radius),
             ] {
-                near(name, got, want, 1e-14 * want)?;
+                assert_close(name, got, want, 1e-14 * want)?;
             }
             prop_assert_eq!((back.rebound_speed, back.energy.plastic), (second.rebound_speed, Some(0.0)));
         }
@@ -57,16 +57,21 @@ pub fn a_spot_remembers(run: &Run) -> Judged {
     let excess = run.speed().powi(2) - before.rebound_speed.powi(2);
     if excess > 1e-12 * before.speed * before.speed && before.restitution < 1.0 {
         let Ok(single) = contact.closed_form(before.speed.hypot(excess.sqrt())) else { return Ok(false) };
-        near("force of both", second.peak_force, single.peak_force, 1e-12 * single.peak_force)?;
-        near("peak of both", second.peak_indentation, single.peak_indentation, 1e-12 * single.peak_indentation)?;
-        near("dent of both", new, single.residual_indentation, 1e-12 * single.peak_indentation)?;
-        near("rebound of both", second.rebound_speed, single.rebound_speed, 1e-12 * single.rebound_speed)?;
+        assert_close("force of both", second.peak_force, single.peak_force, 1e-12 * single.peak_force)?;
+        assert_close(
+            "peak of both",
+            second.peak_indentation,
+            single.peak_indentation,
+            1e-12 * single.peak_indentation,
+        )?;
+        assert_close("dent of both", new, single.residual_indentation, 1e-12 * single.peak_indentation)?;
+        assert_close("rebound of both", second.rebound_speed, single.rebound_speed, 1e-12 * single.rebound_speed)?;
     }
     Ok(true)
 }
 
 /// The factors of the strength are those of the strain rate of the impact on fresh surface at the normal speed, whatever else acts.
-pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judged {
+pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judgement {
     let Some(rated) = run.impact.strain_rate_result else { return Ok(false) };
     let alone = run.contact.clone().with_forces(Forces::default());
     let Ok(alone) = alone.closed_form(run.speed()) else { return Ok(false) };
@@ -84,7 +89,7 @@ pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judged {
         (rated.factor, of_alone.factor),
         (rated.factor_at_turn, of_alone.factor_at_turn),
     ] {
-        near("rate", got, want, 1e-13 * want)?;
+        assert_close("rate", got, want, 1e-13 * want)?;
     }
     Ok(true)
 }
@@ -94,12 +99,12 @@ pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judged {
 /// "pressure-shape") for a compliance share of the sphere above 0.4, by up to 0.07 % above 0.9 and where the sphere flows or a wall
 /// is curved, and not at all below 0.4. On a half-space that hardens by a formula it rises by up to 0.12 %, and by points the bounds are those of
 /// `hardening.rs`. Against a flat half-space that yields alone the force grows faster than the indentation.
-pub fn the_law_is_orderly(run: &Run) -> Judged {
+pub fn the_law_is_orderly(run: &Run) -> Judgement {
     let own = run.scene.without(&["half_space.rate"]).input().unwrap();
     let contact = own.contact().unwrap();
     let Some(point) = contact.pair().yield_point else { return Ok(false) };
     let flow = point.yield_partition;
-    near("shares", flow.elastic_share + flow.plastic_share, 1.0, 1e-12)?;
+    assert_close("shares", flow.elastic_share + flow.plastic_share, 1.0, 1e-12)?;
     let shares = [flow.single_body_weight, flow.elastic_share, flow.sphere_share, flow.flat_share];
     prop_assert!(flow.ratio >= 1.0 && shares.iter().all(|share| (0.0..=1.0).contains(share)), "{:?}", flow);
     let (_, law, _) = contact.scaling(10.0 * contact.yield_speed().unwrap_or(run.speed())).unwrap();
@@ -118,7 +123,7 @@ pub fn the_law_is_orderly(run: &Run) -> Judged {
     };
     let per_radius = point.contact_radius / contact.pair().smaller_radius;
     for pair in law.loading.pieces().windows(2) {
-        near("force at a knot", pair[0].force_at(pair[1].start), pair[1].force, 1e-12 * pair[1].force)?;
+        assert_close("force at a knot", pair[0].force_at(pair[1].start), pair[1].force, 1e-12 * pair[1].force)?;
     }
     let (mut before, mut least) = (law.loaded_state(1.0), 1.0_f64);
     for i in 1..120 {

@@ -1,6 +1,6 @@
 //! Invariants of the trace of an impact.
 
-use super::balances::{Judged, near};
+use super::balances::{Judgement, assert_close};
 use super::equivalences::exact;
 use super::random_scene::Run;
 use crate::common::prelude::*;
@@ -16,16 +16,16 @@ pub fn rank(row: &TraceRow) -> u8 {
 
 /// The trace rises in time from first touch on, its branches follow each other, no contact pulls, and both bodies share the
 /// indentation. Between the steps a row is as exact as the tolerance.
-pub fn rows_are_in_order(run: &Run) -> Judged {
+pub fn rows_are_in_order(run: &Run) -> Judgement {
     let (impact, trace) = (&run.impact, &run.impact.trace);
     prop_assert_eq!(trace.is_empty(), run.scene.samples.is_none());
     let Some(first) = trace.first() else { return Ok(false) };
     prop_assert_eq!((first.event, first.time), (Some(Event::Touch), 0.0));
-    near("speed", first.speed, run.speed(), 4e-16 * run.speed())?;
+    assert_close("speed", first.speed, run.speed(), 4e-16 * run.speed())?;
     if let [.., before, last] = &trace[..] {
         prop_assert!(before.time < last.time, "{:?} {:?}", before, last);
     }
-    near("touch", first.indentation, run.touch(), 1e-12 * run.touch())?;
+    assert_close("touch", first.indentation, run.touch(), 1e-12 * run.touch())?;
     // on a straight line a viscous force begins with a step
     prop_assert!(first.force == 0.0 || run.scene.has("damping.viscous") && !run.is_plm(), "{:?}", first);
     for (row, next) in trace.iter().zip(&trace[1..]) {
@@ -33,7 +33,7 @@ pub fn rows_are_in_order(run: &Run) -> Judged {
         let is_new = row.event.is_none() || next.event.is_none() || next.event == Some(Event::Relaxation);
         prop_assert!(is_new || row.time < next.time, "{:?} {:?}", row, next);
     }
-    let error = if run.is_adaptive() { run.slack() } else { f64::INFINITY };
+    let error = if run.is_adaptive() { run.error_allowance() } else { f64::INFINITY };
     // the force of a metal that relaxes is higher than the one that is reported
     let of_force = if impact.strain_rate_result.is_some() { f64::INFINITY } else { 3.0 * error };
     let beyond = beyond_the_peak(impact);
@@ -43,7 +43,12 @@ pub fn rows_are_in_order(run: &Run) -> Judged {
         let most = if rank(row) == 2 { impact.peak_indentation + beyond } else { impact.peak_indentation };
         prop_assert!(row.indentation <= most * (1.0 + error), "{:?}", row);
         prop_assert!(row.speed >= 0.0 || rank(row) == 2, "{:?}", row);
-        near("parts", row.sphere_indentation + row.half_space_indentation, row.indentation, 1e-15 * row.indentation)?;
+        assert_close(
+            "parts",
+            row.sphere_indentation + row.half_space_indentation,
+            row.indentation,
+            1e-15 * row.indentation,
+        )?;
         let dent = if rank(row) == 2 { impact.dent_depth() } else { 0.0 };
         prop_assert!(row.half_space_indentation >= dent * (1.0 - 1e-9) - 1e-15 * row.indentation, "{:?}", row);
     }
@@ -59,26 +64,30 @@ fn beyond_the_peak(impact: &Impact) -> f64 {
 }
 
 /// The trace turns and ends as the summary says, and its other rows are even in time.
-pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judged {
+pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judgement {
     let (impact, trace) = (&run.impact, &run.impact.trace);
     let (Some(samples), Some(last)) = (run.scene.samples, trace.last()) else { return Ok(false) };
-    if !run.is_adaptive() || run.turns_at_a_joint() {
+    if !run.is_adaptive() || run.turns_at_subdivision() {
         return Ok(false);
     }
     let Forces { damping, .. } = *run.contact.forces();
     let is_captured = impact.captured_result().is_some();
     prop_assert_eq!(last.event, Some(if is_captured { Event::Captured } else { Event::Separation }));
-    near("end", last.time, impact.duration(), 1e-15 * impact.duration())?;
+    assert_close("end", last.time, impact.duration(), 1e-15 * impact.duration())?;
     let place = impact.forces_result.map_or(impact.residual_indentation, |under| under.end_indentation);
-    near("place", last.indentation, place, 1e-12 * impact.peak_indentation)?;
+    assert_close("place", last.indentation, place, 1e-12 * impact.peak_indentation)?;
     if !is_captured {
         let [back, want] = [-last.sphere_speed.unwrap_or(last.speed), impact.restitution * run.speed()];
         // where e is 1 the last row has the error of the run, as a part of all the energy that was put in
         let of_plain =
             if run.contact.forces().is_none() && run.contact.target_mass().is_none() { 1e-15 } else { 1e-12 };
-        let error = if impact.restitution == 1.0 { run.slack() * run.put_in() / impact.kinetic_in } else { of_plain };
-        near("rebound", back, want, error * run.speed().max(want))?;
-        near("last force", last.force, 0.0, damping.map_or(0.0, |_| 1e-6 * impact.peak_force))?;
+        let error = if impact.restitution == 1.0 {
+            run.error_allowance() * run.input_energy() / impact.kinetic_in
+        } else {
+            of_plain
+        };
+        assert_close("rebound", back, want, error * run.speed().max(want))?;
+        assert_close("last force", last.force, 0.0, damping.map_or(0.0, |_| 1e-6 * impact.peak_force))?;
         if run.scene.has("damping.viscous") {
             // during the rebound the sphere separates above the dent
             prop_assert!(last.indentation > impact.residual_indentation && last.speed < 0.0, "{:?}", last);
@@ -99,25 +108,25 @@ pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judged {
         prop_assert!(before.event == Some(Event::Peak) && before.time == after.time && before.force > after.force);
         // the reported peak force is the relaxed force and a fifth of its drop
         let reported = after.force + 0.2 * (before.force - after.force);
-        near("relaxed", reported, impact.peak_force, damping.map_or(1e-11, |_| f64::INFINITY) * reported)?;
+        assert_close("relaxed", reported, impact.peak_force, damping.map_or(1e-11, |_| f64::INFINITY) * reported)?;
     }
     let even: Vec<f64> = trace.iter().filter(|row| row.event.is_none()).map(|row| row.time).collect();
     prop_assert!(even.len() == samples - 2 || is_captured && even.len() < samples, "{} of {}", even.len(), samples);
     #[allow(clippy::cast_precision_loss)]
     for (i, time) in even.iter().enumerate() {
         let want = impact.duration() * (i + 1) as f64 / (samples - 1) as f64;
-        near("time", *time, want, run.slack() * impact.duration())?;
+        assert_close("time", *time, want, run.error_allowance() * impact.duration())?;
     }
     Ok(true)
 }
 
 /// Yield and knots come once and in order, each at its place on the law to the last digits, all that were passed; in a
 /// dent it yields where the earlier impact turned.
-pub fn events_are_where_the_law_has_them(run: &Run) -> Judged {
-    if run.scene.samples.is_none() || !run.is_adaptive() || run.turns_at_a_joint() {
+pub fn events_are_where_the_law_has_them(run: &Run) -> Judgement {
+    if run.scene.samples.is_none() || !run.is_adaptive() || run.turns_at_subdivision() {
         return Ok(false);
     }
-    let own = run.own();
+    let own = run.contact_at_own_rate();
     let (scales, law, _) = own.scaling(run.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
     let peak = run.impact.peak_indentation / scales.length;
     let of = |wanted: Event| -> Vec<f64> {
@@ -130,7 +139,7 @@ pub fn events_are_where_the_law_has_them(run: &Run) -> Judged {
     // a formula that takes several pieces continues where they meet
     let starts = law.loading.pieces()[1..].iter().filter(|piece| !piece.is_subdivision).map(|piece| piece.start);
     let starts: Vec<f64> = starts.collect();
-    let is_known = |knot: &f64| starts.iter().any(|start| off(*knot, *start) <= 2e-15);
+    let is_known = |knot: &f64| starts.iter().any(|start| relative_error(*knot, *start) <= 2e-15);
     prop_assert!(knots.iter().all(is_known), "{:?} of {:?}", knots, starts);
     let first = match run.before.memory() {
         Some(memory) if !run.contact.has_rate() => Some(memory.indentation),
@@ -138,11 +147,16 @@ pub fn events_are_where_the_law_has_them(run: &Run) -> Judged {
         None => own.yield_indentation_and_force().map(|(indentation, _)| indentation / scales.length),
     };
     let Some(first) = first else { return Ok(false) };
-    prop_assert!(yields.iter().all(|x| off(*x, first) < 1e-12), "{:?} {}", yields, first);
-    prop_assert!(yields.len() == usize::from(peak > first) || off(peak, first) <= run.slack(), "{:?} {}", yields, peak);
+    prop_assert!(yields.iter().all(|x| relative_error(*x, first) < 1e-12), "{:?} {}", yields, first);
+    prop_assert!(
+        yields.len() == usize::from(peak > first) || relative_error(peak, first) <= run.error_allowance(),
+        "{:?} {}",
+        yields,
+        peak
+    );
     if run.is_fresh() {
         // first yield is one of the starts of some laws
-        let passed = starts.iter().filter(|start| **start < peak && off(**start, first) > 1e-12).count();
+        let passed = starts.iter().filter(|start| **start < peak && relative_error(**start, first) > 1e-12).count();
         prop_assert_eq!(knots.len(), passed, "{:?} {}", starts, peak);
     }
     Ok(true)
@@ -150,8 +164,8 @@ pub fn events_are_where_the_law_has_them(run: &Run) -> Judged {
 
 /// The rows of a trace between the steps are as good as the tolerance. Near separation an error of the dent of one tolerance changes
 /// the force by up to the stiffness.
-pub fn samples_are_as_good_as_the_tolerance(run: &Run) -> Judged {
-    let is_fit = run.is_adaptive() && run.contact.forces().is_none() && !run.turns_at_a_joint();
+pub fn samples_are_as_good_as_the_tolerance(run: &Run) -> Judgement {
+    let is_fit = run.is_adaptive() && run.contact.forces().is_none() && !run.turns_at_subdivision();
     let Some(samples) = run.scene.samples.filter(|_| is_fit) else { return Ok(false) };
     let (exact, is_own) = (exact(run, Some(samples)), matches!(run.impact.method, Method::Rk8 | Method::ClosedForm));
     let tolerance = if run.impact.method == Method::ClosedForm { 1e-13 } else { run.solver.tolerance };
@@ -159,10 +173,10 @@ pub fn samples_are_as_good_as_the_tolerance(run: &Run) -> Judged {
     let [got, want] = [&run.impact, &exact].map(|impact| impact.trace.iter().filter(|row| row.event.is_none()));
     prop_assert_eq!(got.clone().count(), samples - 2);
     for (got, want) in got.zip(want) {
-        near("time", got.time, want.time, 1e-14 * exact.contact_time)?;
-        near("indentation", got.indentation, want.indentation, allowed * exact.peak_indentation)?;
-        near("speed", got.speed, want.speed, allowed * run.speed())?;
-        near("force", got.force, want.force, allowed * exact.peak_force)?;
+        assert_close("time", got.time, want.time, 1e-14 * exact.contact_time)?;
+        assert_close("indentation", got.indentation, want.indentation, allowed * exact.peak_indentation)?;
+        assert_close("speed", got.speed, want.speed, allowed * run.speed())?;
+        assert_close("force", got.force, want.force, allowed * exact.peak_force)?;
     }
     Ok(samples > 2)
 }

@@ -4,8 +4,8 @@ use plm_impact::results::NumberFormat;
 use plm_impact::results::impact::{SingleImpact, impact_results};
 use plm_impact::units::Dimension;
 
-use super::balances::Judged;
-use super::random_scene::{AnyScene, Given, Refused, Run};
+use super::balances::Judgement;
+use super::random_scene::{AnyScene, KeySetting, RefusalReason, Run};
 use crate::common::prelude::*;
 
 /// Exponents of length, time and mass.
@@ -35,9 +35,9 @@ fn in_other_units(scene: &AnyScene, factor: impl Fn(Dimension) -> f64) -> AnySce
     for (path, given) in &mut other.keys {
         let key = ALL_KEYS.iter().find(|key| key.path == *path);
         match given {
-            Given::Number(number) => *number *= factor(key.unwrap().number().unwrap().0.dimension),
-            Given::Points(points) => points.iter_mut().for_each(|point| point[1] *= factor(Dimension::Pressure)),
-            Given::Word(_) => {}
+            KeySetting::Number(number) => *number *= factor(key.unwrap().number().unwrap().0.dimension),
+            KeySetting::Points(points) => points.iter_mut().for_each(|point| point[1] *= factor(Dimension::Pressure)),
+            KeySetting::Word(_) => {}
         }
     }
     // the rates that are taken where none is given
@@ -46,7 +46,7 @@ fn in_other_units(scene: &AnyScene, factor: impl Fn(Dimension) -> f64) -> AnySce
         ("half_space.rate.tested_at", 1e-3, "half_space.rate"),
     ] {
         if scene.has(of) {
-            other = other.with(path, Given::Number(rate * factor(Dimension::StrainRate)));
+            other = other.with(path, KeySetting::Number(rate * factor(Dimension::StrainRate)));
         }
     }
     other
@@ -56,8 +56,8 @@ fn in_other_units(scene: &AnyScene, factor: impl Fn(Dimension) -> f64) -> AnySce
 /// dimension. Another size of all bodies, heavier ones, and stiffer ones at the same v/v_Y are such changes. In fixed steps rounding
 /// may decide in which of two steps a sphere turns, so the factors are powers of four, which round nothing. In the dent of a metal
 /// with a rate it decides whether a branch with a raised exponent is kept.
-pub fn units_do_not_matter(run: &Run) -> Judged {
-    if run.turns_at_a_joint() || run.contact.has_rate() && run.earlier.is_some() {
+pub fn units_do_not_matter(run: &Run) -> Judgement {
+    if run.turns_at_subdivision() || run.contact.has_rate() && run.earlier.is_some() {
         return Ok(false);
     }
     let logs = sizes_of_units(&run.scene);
@@ -70,18 +70,18 @@ pub fn units_do_not_matter(run: &Run) -> Judged {
     let other = match in_other_units(&run.scene, factor).run() {
         Ok(other) => other,
         // extreme units leave the range of double precision, or that of a spin, and the error says so
-        Err(Refused::ByImpact(ImpactError::Range(_))) => return Ok(false),
-        Err(Refused::ByKeys(error)) if error.to_string().contains("a spin must be") => return Ok(false),
+        Err(RefusalReason::ByImpact(ImpactError::Range(_))) => return Ok(false),
+        Err(RefusalReason::ByKeys(error)) if error.to_string().contains("a spin must be") => return Ok(false),
         Err(error) => return Err(TestCaseError::fail(format!("{error:?}"))),
     };
     let is_exact = run.impact.method == Method::ClosedForm && run.contact.forces().is_none();
     let more = if run.contact.forces().is_none() { 1.0 } else { 10.0 };
-    let allowed = if is_exact { 1e-12 } else { more * run.slack() };
+    let allowed = if is_exact { 1e-12 } else { more * run.error_allowance() };
     // the weight may do nearly all of the work, of which the kinetic energy is a small part; rounding changes the lengths of the
     // steps of friction, whose runs are exact to 1e-7
-    let allowed = if run.impact.has_speed() { allowed * run.put_in() / run.impact.kinetic_in } else { allowed };
+    let allowed = if run.impact.has_speed() { allowed * run.input_energy() / run.impact.kinetic_in } else { allowed };
     let allowed = if run.impact.rebound.is_some() { allowed.max(1e-7) } else { allowed };
-    let sizes = [run.impact.peak_indentation, run.impact.peak_force, run.put_in()];
+    let sizes = [run.impact.peak_indentation, run.impact.peak_force, run.input_energy()];
     let [one, two] = [run, &other].map(|run| (&run.contact, &run.impact));
     let [one, two] = [one, two].map(|(contact, impact)| SingleImpact {
         contact,
@@ -140,7 +140,7 @@ pub fn units_do_not_matter(run: &Run) -> Judged {
 fn sizes_of_units(scene: &AnyScene) -> [f64; 3] {
     let digits = |path: &str| {
         let number = scene.keys.iter().find_map(|(key, given)| match given {
-            Given::Number(number) if *key == path => Some(*number),
+            KeySetting::Number(number) if *key == path => Some(*number),
             _ => None,
         });
         // the middle digits of a random number are another one

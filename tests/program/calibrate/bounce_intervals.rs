@@ -36,7 +36,7 @@ fn clicks_give_the_restitution_that_made_them() {
     let noise = "noise = { bounce_interval = 1e-4 }";
     let of = |air: &str| {
         let (desk, summary) =
-            super::fits::calibrated(&scenario(noise, air), &data, &[], if air.is_empty() { 3 } else { 0 });
+            super::fits::run_calibration(&scenario(noise, air), &data, &[], if air.is_empty() { 3 } else { 0 });
         assert!(!desk.read("o/residuals.csv").contains("NaN"));
         summary["keys"][0]["estimate"].as_f64().unwrap().sqrt()
     };
@@ -52,17 +52,17 @@ fn interval_is_read_on_both_sides_of_columns() {
     let rows = [["0.5,0.5,30", ",0.4,30"], ["0.5,30,0.5", ",30,0.4"]];
     let [right, left] = [0, 1].map(|i| {
         let data = format!("{}\n{}\n{}\n", heads[i], rows[i][0], rows[i][1]);
-        let desk = crate::common::prelude::Desk::with(&text);
+        let desk = crate::common::prelude::Sandbox::with(&text);
         std::fs::write(desk.path("d.csv"), data).unwrap();
-        let output = desk.call(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
+        let output = desk.run(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
         assert_ne!(output.status.code(), Some(2), "{}", crate::common::prelude::text(&output.stderr));
         desk.json("o/summary.json")["keys"][0]["estimate"].as_f64().unwrap()
     });
     assert!((right / left - 1.0).abs() < 1e-9, "{right} {left}");
     // without an interval the height stays unknown
-    let desk = crate::common::prelude::Desk::with(&text);
+    let desk = crate::common::prelude::Sandbox::with(&text);
     std::fs::write(desk.path("d.csv"), "drop_height_m,bounce_interval_s,contact_time_us\n0.5,,30\n,0.4,30\n").unwrap();
-    let output = desk.call(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
+    let output = desk.run(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
     assert_eq!(output.status.code(), Some(2));
 }
 
@@ -73,9 +73,9 @@ fn heights_without_air_warn_of_both_flights() {
                   [half_space]\nyoungs_modulus = \"70 GPa\"\npoissons_ratio = 0.33\n[impact]\ndrop_height = \"0.5 m\"\n";
     let data = "drop_height_m,rebound_height_m\n0.5,0.2\n0.3,0.13\n0.7,0.26\n";
     let warnings = |air: &str, calibrate: &str, data: &str| {
-        let desk = crate::common::prelude::Desk::with(format!("{bodies}{air}[calibrate]\n{calibrate}\n"));
+        let desk = crate::common::prelude::Sandbox::with(format!("{bodies}{air}[calibrate]\n{calibrate}\n"));
         std::fs::write(desk.path("d.csv"), data).unwrap();
-        let output = desk.call(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
+        let output = desk.run(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
         let said = crate::common::prelude::text(&output.stderr);
         said.lines().map(str::to_owned).collect::<Vec<_>>()
     };
@@ -115,8 +115,8 @@ fn air_warning_depends_on_effect_on_measurement() {
             "[sphere]\nradius = \"20 mm\"\nyoungs_modulus = \"2 GPa\"\npoissons_ratio = 0.4\ndensity = {density}\n\
              [half_space]\nyoungs_modulus = \"10 GPa\"\npoissons_ratio = 0.3\n{air}[impact]\ndrop_height = 0.5\n[calibrate]\n{calibrate}\n"
         );
-        let desk = crate::common::prelude::Desk::with(&text);
-        let output = desk.call(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
+        let desk = crate::common::prelude::Sandbox::with(&text);
+        let output = desk.run(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
         assert_ne!(output.status.code(), Some(2), "{}", crate::common::prelude::text(&output.stderr));
         crate::common::prelude::text(&output.stderr)
     };

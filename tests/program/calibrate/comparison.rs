@@ -1,6 +1,6 @@
 //! A calibration with nothing to find: measurements beside the law.
 
-use super::fits::{calibrated, near};
+use super::fits::{assert_close, run_calibration};
 use crate::common::prelude::*;
 
 const LEEB: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/leeb-d.toml");
@@ -22,19 +22,19 @@ fn of_leeb(speed: f64, set: &[String]) -> f64 {
 #[test]
 fn measurements_stand_beside_the_law() {
     let data = "note,speed_m_per_s,restitution_sd,restitution\n1,2,0.01,0.54\n2,1.0,0.05,0.6\n3,0.5,0.2,0.7\n";
-    let (desk, summary) = calibrated(&leeb(), data, &super::fits::DRAWN, 0);
+    let (desk, summary) = run_calibration(&leeb(), data, &super::fits::SVG_PICTURES, 0);
     let law = numbers(&desk.read("o/residuals.csv"), "predicted");
     for (got, speed) in law.iter().zip([2.0, 1.0, 0.5]) {
-        assert!(off(*got, of_leeb(speed, &[])) < 1e-14, "{got}");
+        assert!(relative_error(*got, of_leeb(speed, &[])) < 1e-14, "{got}");
     }
     let measured = [(0.54, 0.01), (0.6, 0.05), (0.7, 0.2)];
     let square = |(law, (measured, sd)): (&f64, (f64, f64))| ((measured - law) / sd).powi(2);
-    near(&summary["chi_square"], law.iter().zip(measured).map(square).sum(), 1e-12);
+    assert_close(&summary["chi_square"], law.iter().zip(measured).map(square).sum(), 1e-12);
     assert_eq!((&summary["degrees_of_freedom"], &summary["keys"]), (&json!(3), &json!([])));
     assert_eq!((&summary["fits"], &summary["refusal"]), (&json!(true), &Value::Null));
     let off = |(law, (measured, _)): (&f64, (f64, f64))| (measured - law).powi(2);
     let misfit = law.iter().zip(measured).map(off).sum::<f64>() / measured.map(|one| one.0 * one.0).iter().sum::<f64>();
-    near(&summary["misfit"], misfit.sqrt(), 1e-12);
+    assert_close(&summary["misfit"], misfit.sqrt(), 1e-12);
     assert_eq!(desk.files("o"), ["fit_restitution.svg", "residuals.csv", "residuals.svg", "summary.json"]);
 }
 
@@ -42,16 +42,16 @@ fn measurements_stand_beside_the_law() {
 #[test]
 fn contradicting_measurements_are_reported() {
     let (_, summary) =
-        calibrated(&leeb(), "speed_m_per_s,restitution,restitution_sd\n2,0.75,0.01\n1,0.8,0.01\n", &[], 3);
+        run_calibration(&leeb(), "speed_m_per_s,restitution,restitution_sd\n2,0.75,0.01\n1,0.8,0.01\n", &[], 3);
     assert!(summary["contradiction"].as_str().unwrap().contains("does not fit"), "{summary}");
 }
 
 /// The file names keys to find; the command line says that there are none.
 #[test]
 fn the_command_line_takes_the_keys_away() {
-    let desk = Desk::with(super::fits::scenario(&format!("data = \"d.csv\"\n{}", super::fits::BOTH)));
-    desk.put("d.csv", super::fits::restitutions());
-    desk.ends(&["calibrate", "s.toml", "--set", "calibrate.free={}", "--out", "o", "--pictures", "none"], 0);
+    let desk = Sandbox::with(super::fits::scenario(&format!("data = \"d.csv\"\n{}", super::fits::BOTH)));
+    desk.write("d.csv", super::fits::restitutions());
+    desk.run_expecting(&["calibrate", "s.toml", "--set", "calibrate.free={}", "--out", "o", "--pictures", "none"], 0);
     assert_eq!(desk.json("o/summary.json")["keys"], json!([]));
     assert!(!desk.path("o/calibrated.toml").exists());
 }
@@ -61,11 +61,11 @@ fn the_command_line_takes_the_keys_away() {
 fn the_thickness_of_a_plate_is_a_column() {
     let data = "speed_m_per_s,half_space_thickness_m,restitution\n2,0.05,0.5\n2,0.02,0.5\n1,0.008,0.4\n";
     let text = leeb().replace("[half_space]", "[half_space]\nplate = \"thick\"");
-    let table = calibrated(&text, data, &[], 0).0.read("o/residuals.csv");
+    let table = run_calibration(&text, data, &[], 0).0.read("o/residuals.csv");
     for (law, (speed, thickness)) in numbers(&table, "predicted").iter().zip([(2.0, 0.05), (2.0, 0.02), (1.0, 0.008)]) {
         let set = [format!("half_space.thickness={thickness}"), "half_space.plate=thick".to_owned()];
         let want = of_leeb(speed, &set);
-        assert!(off(*law, want) < 1e-14, "{law} {want}");
+        assert!(relative_error(*law, want) < 1e-14, "{law} {want}");
     }
 }
 
@@ -74,7 +74,7 @@ fn the_thickness_of_a_plate_is_a_column() {
 fn an_indentation_curve_begins_at_zero() {
     let data = "indentation_um,force_N\n0,0\n5,60\n10,180\n";
     let text = super::fits::scenario("data = \"d.csv\"\nfree = {}\n");
-    let (desk, summary) = calibrated(&text, data, &super::fits::DRAWN, 0);
+    let (desk, summary) = run_calibration(&text, data, &super::fits::SVG_PICTURES, 0);
     assert!(summary["misfit"].as_f64().unwrap() < 1.0 && !desk.read("o/residuals.csv").contains("NaN"), "{summary}");
     assert!(desk.path("o/fit_force.svg").exists());
 }
@@ -85,7 +85,7 @@ fn an_indentation_curve_begins_at_zero() {
 fn fitted_law_is_drawn_as_curve() {
     let data = "indentation_um,force_N\n5,60\n20,370\n15,60\n";
     let text = super::fits::scenario("data = \"d.csv\"\nfree = {}\n");
-    let (desk, _) = calibrated(&text, data, &["--pictures", "svg"], 0);
+    let (desk, _) = run_calibration(&text, data, &["--pictures", "svg"], 0);
     let svg = desk.read("o/fit_force.svg");
     let document = Document::parse(&svg).unwrap();
     let corners = document.descendants().filter(|node| node.has_tag_name("polyline"));
@@ -99,9 +99,9 @@ fn fitted_law_is_drawn_as_curve() {
 #[test]
 fn undetermined_results_are_omitted() {
     let text = super::fits::scenario(&format!("data = \"d.csv\"\n{}", super::fits::STRENGTH));
-    let desk = Desk::with(text);
-    desk.put("d.csv", super::fits::restitutions());
-    let said = desk.call(&["calibrate", "s.toml", "--all-laws", "--out", "o", "--pictures", "none"]);
+    let desk = Sandbox::with(text);
+    desk.write("d.csv", super::fits::restitutions());
+    let said = desk.run(&["calibrate", "s.toml", "--all-laws", "--out", "o", "--pictures", "none"]);
     let said = String::from_utf8(said.stdout).unwrap();
     let of_springs = said.lines().find(|line| line.starts_with("walton_braun")).unwrap();
     assert!(of_springs.contains("not determined"), "{said}");

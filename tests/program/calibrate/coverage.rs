@@ -23,7 +23,7 @@ fn normals(set: u64, count: usize) -> Vec<f64> {
 
 /// How the data are made, and what is assumed of them.
 #[derive(Debug, Clone, Copy)]
-struct Made {
+struct SyntheticData {
     sets: u64,
     readings: u32,
     /// Scatter, as a share of the value.
@@ -38,7 +38,7 @@ struct Made {
 
 const STRENGTH: (&str, f64) = ("half_space.yield_strength", 345e6);
 const MODULUS: (&str, f64) = ("half_space.youngs_modulus", 210e9);
-const PLAIN: Made = Made {
+const PLAIN: SyntheticData = SyntheticData {
     sets: 300,
     readings: 6,
     sd: 0.01,
@@ -49,8 +49,8 @@ const PLAIN: Made = Made {
 };
 
 /// For every key, the shares of the sets whose 68 % and 95 % intervals contain the true value.
-fn covered(made: Made) -> Vec<[f64; 2]> {
-    let Made { sets, readings, sd, is_estimated, is_robust, quantities, keys } = made;
+fn coverage_shares(made: SyntheticData) -> Vec<[f64; 2]> {
+    let SyntheticData { sets, readings, sd, is_estimated, is_robust, quantities, keys } = made;
     let mut scene = Scenario::from_text("steel", crate::common::STEEL, &[]).unwrap().resolve().unwrap();
     // by the closed form, as the command calibrates
     scene.set_default_method(Method::Auto);
@@ -111,16 +111,16 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
 fn intervals_cover_truth_at_stated_rate() {
     // with shares of the readings in place of shares of what the law gives, half of the sets with much noise were in their
     // 68 %, whether the noise is given or estimated
-    let much = Made { readings: 16, sd: 0.12, ..PLAIN };
+    let much = SyntheticData { readings: 16, sd: 0.12, ..PLAIN };
     for made in [
-        Made { sets: 600, ..PLAIN },
-        Made { is_estimated: true, ..PLAIN },
+        SyntheticData { sets: 600, ..PLAIN },
+        SyntheticData { is_estimated: true, ..PLAIN },
         much,
-        Made { is_estimated: true, ..much },
-        Made { quantities: &["peak_force"], ..PLAIN },
-        Made { sets: 100, quantities: &["restitution", "peak_force"], keys: &[STRENGTH, MODULUS], ..PLAIN },
+        SyntheticData { is_estimated: true, ..much },
+        SyntheticData { quantities: &["peak_force"], ..PLAIN },
+        SyntheticData { sets: 100, quantities: &["restitution", "peak_force"], keys: &[STRENGTH, MODULUS], ..PLAIN },
     ] {
-        for key in covered(made) {
+        for key in coverage_shares(made) {
             // within 3.5 standard deviations of the share in `made.sets` independent sets
             for (share, level) in key.into_iter().zip([0.682_69, 0.95]) {
                 #[allow(clippy::cast_precision_loss)]
@@ -134,6 +134,8 @@ fn intervals_cover_truth_at_stated_rate() {
 /// The likelihood with long tails is wider than normal noise needs: it covers at least as often.
 #[test]
 fn robust_intervals_cover_truth_at_least_as_often() {
-    let [[narrow, wide]] = covered(Made { readings: 12, is_robust: true, ..PLAIN })[..] else { panic!() };
+    let [[narrow, wide]] = coverage_shares(SyntheticData { readings: 12, is_robust: true, ..PLAIN })[..] else {
+        panic!()
+    };
     assert!((0.6..0.9).contains(&narrow) && (0.92..=1.0).contains(&wide), "{narrow} {wide}");
 }

@@ -5,13 +5,13 @@ use std::fmt::Write as _;
 use crate::common::prelude::*;
 use plm_impact::calibrate::CalibrationTask;
 
-use super::fits::{STRENGTH, calibrated, near, of_nine_pieces, scenario};
+use super::fits::{STRENGTH, assert_close, nine_piece_scenario, run_calibration, scenario};
 
 const STEEL: &str = include_str!("../../../scenarios/steel-on-steel.toml");
 
 /// The strength that one restitution gives, with the summary, at this speed.
 fn of_one(restitution: f64, speed: &str) -> (f64, Value) {
-    let (_, summary) = calibrated(STEEL, "", &["--restitution", &restitution.to_string(), "--speed", speed], 0);
+    let (_, summary) = run_calibration(STEEL, "", &["--restitution", &restitution.to_string(), "--speed", speed], 0);
     (summary["keys"][0]["estimate"].as_f64().unwrap(), summary)
 }
 
@@ -28,10 +28,10 @@ fn repeated_readings_give_no_noise_or_interval() {
     // half of the readings of a tester that shows two digits are the same
     let most = "speed_m_per_s,restitution\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.48\n3,0.50\n3,0.47\n";
     for (data, robust) in [(two, ""), (two, "robust = \"student-t\""), (most, "robust = \"student-t\"")] {
-        let text = of_nine_pieces(&format!("data = \"d.csv\"\n{STRENGTH}{robust}"));
-        let (_, summary) = calibrated(&text, data, &[], 0);
+        let text = nine_piece_scenario(&format!("data = \"d.csv\"\n{STRENGTH}{robust}"));
+        let (_, summary) = run_calibration(&text, data, &[], 0);
         let key = &summary["keys"][0];
-        near(&key["estimate"], 341.7e6, 1e-3);
+        assert_close(&key["estimate"], 341.7e6, 1e-3);
         assert!(key["sd"].is_null() && key["interval_95"].is_null() && summary["fits"].is_null(), "{summary}");
         assert_eq!((summary["noise"].as_str(), summary["estimated_noise"].is_null()), (Some("unknown"), true));
         let refusal = summary["refusal"].as_str().unwrap();
@@ -39,7 +39,7 @@ fn repeated_readings_give_no_noise_or_interval() {
     }
     // with the noise there is an interval
     let noise = "noise = { restitution = 0.005 }";
-    let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}{noise}")), two, &[], 0);
+    let (_, summary) = run_calibration(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}{noise}")), two, &[], 0);
     assert!(summary["keys"][0]["sd"].as_f64().unwrap() > 1e6, "{summary}");
 }
 
@@ -77,17 +77,21 @@ fn few_values_do_not_test_the_law() {
     };
     // seven signs are equal by chance in 1/64 of all data, eight in 1/128
     for n in [2, 3, 5, 7] {
-        let (desk, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(n), &[], 0);
+        let (desk, summary) = run_calibration(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(n), &[], 0);
         assert!(summary["fits"].is_null() && summary["misfit"].as_f64().unwrap() > 0.5, "{n}: {summary}");
         assert!(summary["undecided"].as_str().unwrap().contains("cannot be judged"), "{summary}");
-        let (_, said) = desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0);
+        let (_, said) = desk.run_expecting(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0);
         assert!(said.contains("whether the law fits cannot be judged"), "{said}");
     }
-    let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(8), &[], 3);
+    let (_, summary) = run_calibration(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(8), &[], 3);
     assert_eq!(summary["fits"], false);
     // with a noise that is given one value is enough
-    let (_, summary) =
-        calibrated(&scenario(&format!("data = \"d.csv\"\n{low}\nnoise = {{ restitution = 0.01 }}")), &data(1), &[], 3);
+    let (_, summary) = run_calibration(
+        &scenario(&format!("data = \"d.csv\"\n{low}\nnoise = {{ restitution = 0.01 }}")),
+        &data(1),
+        &[],
+        3,
+    );
     assert_eq!(summary["fits"], false);
 }
 
@@ -112,7 +116,7 @@ fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
         "data = \"d.csv\"\nfree = {{ \"half_space.yield_strength\" = {{ from = {from}, to = {to} }} }}\nnoise = {{ restitution = 0.01 }}\n{robust}"
     );
     let text = scenario(&request).replace("208 GPa", "210 GPa");
-    let scenario = read(&text, NONE).with_data(format!("speed_m_per_s,restitution\n{lines}"));
+    let scenario = read(&text, NO_OVERRIDES).with_data(format!("speed_m_per_s,restitution\n{lines}"));
     let measured = CalibrationTask::new(&scenario).unwrap();
     let progress = Progress::default();
     let found = measured.calibrate(&progress).unwrap();
@@ -140,7 +144,8 @@ fn estimate_is_minimum_behind_kink() {
 #[test]
 fn region_of_two_keys_matches_plane_of_sums() {
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = {{ restitution = 0.01 }}", super::fits::BOTH));
-    let measured = CalibrationTask::new(&read(&text, NONE).with_data(super::fits::MADE.to_owned())).unwrap();
+    let measured =
+        CalibrationTask::new(&read(&text, NO_OVERRIDES).with_data(super::fits::SYNTHETIC_DATA.to_owned())).unwrap();
     let progress = Progress::default();
     let found = measured.calibrate(&progress).unwrap();
     let fit: &Fit = &found.fit;
@@ -170,7 +175,7 @@ fn region_of_two_keys_matches_plane_of_sums() {
 fn region_of_two_keys_reflects_few_values() {
     let data = "speed_m_per_s,restitution,peak_force_N\n1,0.60,330\n3,0.49,1130\n".to_owned();
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = \"estimate\"", super::fits::BOTH));
-    let measured = CalibrationTask::new(&read(&text, NONE).with_data(data)).unwrap();
+    let measured = CalibrationTask::new(&read(&text, NO_OVERRIDES).with_data(data)).unwrap();
     let progress = Progress::default();
     let found = measured.calibrate(&progress).unwrap();
     let rise = |place: &[f64; 2]| found.fit.problem.objective(place) - found.fit.best().sum;

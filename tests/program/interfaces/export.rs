@@ -12,7 +12,7 @@ use plm_impact::interfaces::export::{
 const STEEL: &str = "scenarios/steel-on-steel.toml";
 
 fn export(arguments: &[&str]) -> Output {
-    call(Path::new(env!("CARGO_MANIFEST_DIR")), &[&["export"], arguments].concat())
+    run_in(Path::new(env!("CARGO_MANIFEST_DIR")), &[&["export"], arguments].concat())
 }
 
 fn printed(arguments: &[&str]) -> String {
@@ -210,7 +210,7 @@ fn lines_name_wave_loss_in_their_e() {
 fn lines_of_two_spheres_separate_like_law() {
     let ball = "density = 7850.0\nradius = \"8 mm\"\nmass = \"ball\"\nyield_strength";
     let scenario = crate::common::STEEL.replace("yield_strength", ball);
-    let desk = Desk::ran(&scenario);
+    let desk = Sandbox::with_results(&scenario);
     let summary = desk.summary();
     let result = |name: &str| summary[name].as_f64().unwrap();
     let (e, time) = (result("restitution"), result("contact_time_s"));
@@ -236,7 +236,7 @@ fn lines_of_two_spheres_separate_like_law() {
             }
         }
     };
-    let lines = |code: &str| desk.ends(&["export", "s.toml", "--to", code], 0).0;
+    let lines = |code: &str| desk.run_expecting(&["export", "s.toml", "--to", code], 0).0;
     let number = |text: &str, before: &str| -> f64 {
         let rest = text.split_once(before).unwrap_or_else(|| panic!("{before} in {text}")).1;
         rest.split([' ', ',', '\n', ')']).next().unwrap().parse().unwrap()
@@ -265,9 +265,9 @@ fn lines_of_two_spheres_separate_like_law() {
 
 /// e of the summary that a run of this scenario writes, and the one of the lines.
 fn both(scenario: &str, result: &str, arguments: &[&str]) -> (f64, f64, String) {
-    let desk = Desk::ran(scenario);
+    let desk = Sandbox::with_results(scenario);
     std::fs::write(desk.path("e.toml"), scenario).unwrap();
-    let (text, _) = desk.ends(&[&["export", "e.toml", "--to", "liggghts"], arguments].concat(), 0);
+    let (text, _) = desk.run_expecting(&[&["export", "e.toml", "--to", "liggghts"], arguments].concat(), 0);
     let line = text.lines().find_map(|line| line.split_once("coefficientRestitution peratomtypepair 1 ")).unwrap();
     (desk.summary()[result].as_f64().unwrap(), line.1.parse().unwrap(), text.clone())
 }
@@ -292,8 +292,8 @@ fn motion_of_scenario_is_omitted_and_named() {
     let of = |more: &str, arguments: &[&str]| {
         let bodies = crate::common::STEEL.split("[impact]").next().unwrap();
         let law = "[law.plm]\nunloading_exponent = \"pressure-shape\"\n";
-        let desk = Desk::with(format!("{bodies}{law}{more}"));
-        let (text, _) = desk.ends(&[&["export", "s.toml", "--to", "liggghts"], arguments].concat(), 0);
+        let desk = Sandbox::with(format!("{bodies}{law}{more}"));
+        let (text, _) = desk.run_expecting(&[&["export", "s.toml", "--to", "liggghts"], arguments].concat(), 0);
         let e = text.lines().find_map(|line| line.split_once("peratomtypepair 1 ")).unwrap().1;
         (e.parse::<f64>().unwrap(), text)
     };
@@ -317,8 +317,8 @@ fn motion_of_scenario_is_omitted_and_named() {
 #[test]
 fn liggghts_gets_tangential_spring_of_comment() {
     let rubbing = crate::common::STEEL.to_owned() + "[friction]\ncoefficient = 0.2\n";
-    let desk = Desk::with(rubbing.replace("[impact]", "[impact]\nangle = \"10 deg\""));
-    let lines = |code: &str| desk.ends(&["export", "s.toml", "--to", code], 0).0;
+    let desk = Sandbox::with(rubbing.replace("[impact]", "[impact]\nangle = \"10 deg\""));
+    let lines = |code: &str| desk.run_expecting(&["export", "s.toml", "--to", code], 0).0;
     let (text, lammps) = (lines("liggghts"), lines("lammps"));
     let words = "model hooke tangential history tangential_damping off ktToKnUser on";
     assert_eq!(text.matches(words).count(), 2, "{text}");
@@ -367,9 +367,9 @@ fn lines_have_both_densities_of_two_balls() {
     let ball = |density: f64| format!("density = {density:?}\nradius = \"8 mm\"\nmass = \"ball\"\nyield_strength");
     let volume = |radius: f64| 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
     for (second, materials) in [(2000.0, 2), (7850.0, 1)] {
-        let desk = Desk::with(crate::common::STEEL.replace("yield_strength", &ball(second)));
+        let desk = Sandbox::with(crate::common::STEEL.replace("yield_strength", &ball(second)));
         for (code, before, after) in [("yade", "density=", ','), ("mercury", "setDensity(", ')')] {
-            let text = desk.ends(&["export", "s.toml", "--to", code], 0).0;
+            let text = desk.run_expecting(&["export", "s.toml", "--to", code], 0).0;
             let densities = text.split(before).skip(1).map(|rest| rest.split(after).next().unwrap().parse().unwrap());
             let densities: Vec<f64> = densities.collect();
             assert_eq!(densities.len(), materials, "{text}");
@@ -397,17 +397,18 @@ fn one_strength_of_two_equal_balls_warns() {
     let both = one.replace("[sphere]", "[sphere]\nyield_strength = \"345 MPa\"");
     let words = "e is off if both balls are of one material, mostly too high and by up to 7 %";
     // the share is largest between the first yield and deep dents
-    let e =
-        |text: &str, speed: &str| Desk::ran(&text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap();
+    let e = |text: &str, speed: &str| {
+        Sandbox::with_results(&text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap()
+    };
     let ratio = |speed: &str| e(&one, speed) / e(&both, speed);
     let [middle, fast] = ["0.3 m/s", "10 m/s"].map(ratio);
     assert!((1.06..1.07).contains(&middle) && (1.0..1.02).contains(&fast), "{middle} {fast}");
     let harder = one.replacen("210 GPa", "400 GPa", 1);
     for (scenario, is_warned) in [(&one, true), (&both, false), (&harder, false)] {
-        let desk = Desk::with(scenario.clone());
+        let desk = Sandbox::with(scenario.clone());
         for command in ["run", "check", "export"] {
             let to: &[&str] = if command == "export" { &["--to", "lammps"] } else { &[] };
-            let (out, err) = desk.ends(&[&[command, "s.toml"], to].concat(), 0);
+            let (out, err) = desk.run_expecting(&[&[command, "s.toml"], to].concat(), 0);
             assert_eq!((out + &err).contains(words), is_warned, "{command}: {scenario}");
         }
     }

@@ -9,7 +9,7 @@ fn law_sweep_has_rows_for_every_law() {
         whole.iter().chain(["jackson_green + brake".to_owned()].iter()).map(|name| format!("{name:?}")).collect();
     let text =
         format!("[sweep]\nlaw = [{}]\n\"impact.speed\" = {{ logspace = [1e-3, 10], points = 9 }}", list.join(", "));
-    let desk = Desk::ran(format!("{STEEL}{text}"));
+    let desk = Sandbox::with_results(format!("{STEEL}{text}"));
     let table = desk.read("out/table.csv");
     let (laws, status, e) = (column(&table, "law"), column(&table, "status"), column(&table, "restitution"));
     assert_eq!(laws.len(), 9 * list.len());
@@ -29,7 +29,7 @@ fn law_sweep_has_rows_for_every_law() {
 
 #[test]
 fn laws_lists_available_and_missing_laws() {
-    let (text, _) = Desk::with("").ends(&["laws"], 0);
+    let (text, _) = Sandbox::with("").run_expecting(&["laws"], 0);
     for name in LawChoice::names() {
         assert!(text.contains(&format!("\n{name}\n")), "{name}");
     }
@@ -51,7 +51,7 @@ fn laws_lists_available_and_missing_laws() {
 
 #[test]
 fn laws_as_json_have_facts_of_all() {
-    let (text, _) = Desk::with("").ends(&["laws", "--json"], 0);
+    let (text, _) = Sandbox::with("").run_expecting(&["laws", "--json"], 0);
     let all: Value = serde_json::from_str(&text).unwrap();
     let laws = all["laws"].as_array().unwrap();
     let names: Vec<&str> = laws.iter().map(|law| law["name"].as_str().unwrap()).collect();

@@ -9,7 +9,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::common::command::call;
+use crate::common::command::run_in;
 use crate::common::golden::is_updating;
 
 fn root() -> &'static Path {
@@ -99,7 +99,7 @@ fn expression<'a>(crates: impl Iterator<Item = &'a str>, own: [&'a str; 2]) -> S
 const EXPRESSION: &str = "SPDX-License-Identifier of the program with all of them: ";
 
 /// The whole file: each text once, with those who have it.
-fn written() -> String {
+fn all_notices() -> String {
     let cargo = Command::new(env!("CARGO"))
         .current_dir(root())
         .args(["metadata", "--format-version", "1", "--locked", "--all-features"])
@@ -163,7 +163,7 @@ fn every_linked_crate_has_a_printed_notice() {
     let path = root().join("src/interfaces/licenses.txt");
     let file = read(&path);
     if is_updating() {
-        let made = written();
+        let made = all_notices();
         if made != file {
             // the command that is built already has the old ones
             return fs::write(&path, made).unwrap();
@@ -174,11 +174,11 @@ fn every_linked_crate_has_a_printed_notice() {
     assert!(named.remove("fonts DejaVu 2.37") && file.contains("Bitstream Vera Fonts Copyright"));
     let other: Vec<_> = named.symmetric_difference(&linked()).cloned().collect();
     assert!(other.is_empty(), "{other:?}: UPDATE=1 cargo test --test program licences");
-    let printed = call(root(), &["--licenses"]);
+    let printed = run_in(root(), &["--licenses"]);
     assert!(printed.status.success());
     let printed = String::from_utf8(printed.stdout).unwrap();
     assert!(printed.starts_with(&read("LICENSE")) && printed.ends_with(&file));
-    let none = call(root(), &["--error-format", "json"]);
+    let none = run_in(root(), &["--error-format", "json"]);
     assert_eq!(none.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&none.stderr).contains("no command is given"));
 }

@@ -21,8 +21,8 @@ fn ran(set: &[&str]) -> Ran {
     let scenario = read(STEEL, &[&["output.samples=40"], set].concat());
     let (_, contact, impact) = run::impact::compute(&scenario, Some(SAMPLES)).unwrap();
     let outcome = outcome(&scenario);
-    let summary = serde_json::from_str(&file_of(&outcome, "summary.json")).unwrap();
-    Ran { contact, impact, summary, trace: file_of(&outcome, "trace.csv") }
+    let summary = serde_json::from_str(&text_of_file(&outcome, "summary.json")).unwrap();
+    Ran { contact, impact, summary, trace: text_of_file(&outcome, "trace.csv") }
 }
 
 /// Those that `tests/program/scenario/results.toml` has no reference for.
@@ -53,8 +53,8 @@ fn summary_numbers_read_back_to_same_bits() {
 /// A half-space without a yield strength says nothing plastic.
 #[test]
 fn elastic_scene_reports_no_plastic_results() {
-    let desk = Desk::with(STEEL.replace("yield_strength = \"345 MPa\"\n", ""));
-    let (table, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
+    let desk = Sandbox::with(STEEL.replace("yield_strength = \"345 MPa\"\n", ""));
+    let (table, _) = desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     let text = table + &desk.read("out/summary.json");
     for word in ["yield", "residual", "dent_", "dent ", "plastic", "unloading_radius"] {
         assert!(!text.contains(word), "{word} in\n{text}");
@@ -92,9 +92,9 @@ fn trace_has_samples_and_events_as_exact_rows() {
 /// The numbers of a check are those of the run, with all digits, in every kind of scene.
 #[test]
 fn json_check_has_inputs_and_contact_of_run() {
-    let desk = Desk::ran(STEEL);
+    let desk = Sandbox::with_results(STEEL);
     let summary = desk.summary();
-    let checked: Value = serde_json::from_str(&desk.ends(&["check", "s.toml", "--json"], 0).0).unwrap();
+    let checked: Value = serde_json::from_str(&desk.run_expecting(&["check", "s.toml", "--json"], 0).0).unwrap();
     assert_eq!((&checked["kind"], &checked["inputs"]), (&json!("impact"), &summary["inputs"]));
     assert_eq!(checked["warnings"], summary["warnings"]);
     let contact = checked["contact"].as_object().unwrap();
@@ -113,8 +113,8 @@ fn json_check_has_inputs_and_contact_of_run() {
         [("sweep", "cases"), ("repeat", "contact"), ("indentation", "half_spaces"), ("calibrate", "keys")]
     {
         let file = format!("{kind}.toml");
-        desk.ends(&["init", kind, "--out", &file], 0);
-        let checked: Value = serde_json::from_str(&desk.ends(&["check", &file, "--json"], 0).0).unwrap();
+        desk.run_expecting(&["init", kind, "--out", &file], 0);
+        let checked: Value = serde_json::from_str(&desk.run_expecting(&["check", &file, "--json"], 0).0).unwrap();
         assert_eq!(checked["kind"], kind);
         assert!(!checked[holds].is_null() && checked["inputs"].is_object(), "{checked}");
     }
@@ -126,9 +126,9 @@ fn json_check_has_inputs_and_contact_of_run() {
 fn e_of_oblique_impact_uses_normal_speed() {
     let angle = STEEL.replace("3 m/s\"", "3 m/s\"\nangle = \"20 deg\"") + "[friction]\ncoefficient = 0.15\n";
     for (scene, speed) in [(STEEL.to_owned(), 3.0), (angle, 3.0 * 20_f64.to_radians().cos())] {
-        let summary = Desk::ran(scene).summary();
+        let summary = Sandbox::with_results(scene).summary();
         let number = |name: &str| summary[name].as_f64().unwrap();
-        assert!(off(number("rebound_speed_m_per_s"), number("restitution") * speed) < 1e-12, "{summary}");
+        assert!(relative_error(number("rebound_speed_m_per_s"), number("restitution") * speed) < 1e-12, "{summary}");
     }
 }
 

@@ -38,12 +38,12 @@ struct Shown {
     panel: usize,
     form: Form,
     /// The places of the rows, from the folder of the run, in SI units.
-    rows: Box<dyn Fn(&Desk) -> Points + Send + Sync>,
+    rows: Box<dyn Fn(&Sandbox) -> Points + Send + Sync>,
 }
 
 /// A run, and what its pictures show.
 struct Drawing {
-    desk: Desk,
+    desk: Sandbox,
     shown: Vec<Shown>,
 }
 
@@ -52,13 +52,13 @@ fn shown(
     picture: &'static str,
     panel: usize,
     form: Form,
-    rows: impl Fn(&Desk) -> Points + Send + Sync + 'static,
+    rows: impl Fn(&Sandbox) -> Points + Send + Sync + 'static,
 ) -> Shown {
     Shown { kind, picture, panel, form, rows: Box::new(rows) }
 }
 
 /// The rows of a table of a run, or of a reference, that have these words in these columns.
-fn table(desk: &Desk, name: &str, only: &[(&str, &str)]) -> Vec<TableRow> {
+fn table(desk: &Sandbox, name: &str, only: &[(&str, &str)]) -> Vec<TableRow> {
     let reference = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("src/reference/{name}.csv"));
     let text = fs::read_to_string(reference).unwrap_or_else(|_| desk.read(&format!("out/{name}.csv")));
     let mut rows = records::<TableRow>(&text);
@@ -77,7 +77,7 @@ fn columns(
     name: &'static str,
     only: &'static [(&'static str, &'static str)],
     [x, y]: [&'static str; 2],
-) -> impl Fn(&Desk) -> Points + Send + Sync {
+) -> impl Fn(&Sandbox) -> Points + Send + Sync {
     move |desk| table(desk, name, only).iter().map(|row| (cell(row, x), cell(row, y))).collect()
 }
 
@@ -98,8 +98,8 @@ fn nearest((x, y): (f64, f64), marks: &[(f64, f64)]) -> f64 {
 }
 
 /// The mistake in the content of a picture.
-fn fault(desk: &Desk, Shown { picture, panel, form, rows, .. }: &Shown) -> Option<String> {
-    let drawn = Drawn(desk.read(&format!("out/{picture}.svg")));
+fn fault(desk: &Sandbox, Shown { picture, panel, form, rows, .. }: &Shown) -> Option<String> {
+    let drawn = SvgPicture(desk.read(&format!("out/{picture}.svg")));
     let (scales, panel) = (drawn.scales(*panel), *panel);
     // what lies beyond the axes is not drawn
     let is_in = drawn.is_in(panel);
@@ -128,9 +128,9 @@ fn fault(desk: &Desk, Shown { picture, panel, form, rows, .. }: &Shown) -> Optio
 
 /// Runs a scenario, with its pictures as SVG, in a folder that has the data of a calibration.
 fn drawing(scenario: impl AsRef<[u8]>, shown: Vec<Shown>) -> Drawing {
-    let desk = Desk::with(scenario);
-    desk.put("d.csv", calibration::DATA);
-    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
+    let desk = Sandbox::with(scenario);
+    desk.write("d.csv", calibration::DATA);
+    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
     Drawing { desk, shown }
 }
 
@@ -143,10 +143,11 @@ fn check(drawings: &[Drawing]) {
 /// An oblique impact has the whole speed and the angle in the titles of all its pictures.
 #[test]
 fn titles_have_the_angle_and_the_whole_speed() {
-    let desk = Desk::with(STEEL.replace("3 m/s\"", "3 m/s\"\nangle = \"30 deg\"") + "[friction]\ncoefficient = 0.1\n");
-    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
+    let desk =
+        Sandbox::with(STEEL.replace("3 m/s\"", "3 m/s\"\nangle = \"30 deg\"") + "[friction]\ncoefficient = 0.1\n");
+    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
     for picture in ["force_indentation", "history", "friction"] {
-        let texts = Drawn(desk.read(&format!("out/{picture}.svg"))).texts();
+        let texts = SvgPicture(desk.read(&format!("out/{picture}.svg"))).texts();
         assert!(texts.iter().any(|text| text.starts_with("Impact at 3 m/s and 30°: ")), "{picture}: {texts:?}");
     }
 }

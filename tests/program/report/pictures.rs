@@ -43,8 +43,8 @@ fn pictures_of_the_program_keep_their_text() {
     ];
     let mut drawn = BTreeSet::new();
     for scene in scenes {
-        let desk = Desk::with(&scene);
-        desk.ends(&["run", "s.toml", "--out", "out"], 0);
+        let desk = Sandbox::with(&scene);
+        desk.run_expecting(&["run", "s.toml", "--out", "out"], 0);
         let names: Vec<String> = desk.files("out").into_iter().filter(|name| is_png(Path::new(name))).collect();
         assert!(!names.is_empty(), "no picture of\n{scene}");
         for name in names {
@@ -61,11 +61,11 @@ fn pictures_of_the_program_keep_their_text() {
 #[test]
 fn every_run_writes_requested_pictures() {
     for kind in Kind::ALL.map(Kind::name) {
-        let desk = Desk::with("");
+        let desk = Sandbox::with("");
         let file = format!("{kind}.toml");
-        desk.ends(&["init", kind], 0);
+        desk.run_expecting(&["init", kind], 0);
         let run = |format: &str| {
-            desk.ends(&["run", &file, "--pictures", format, "--out", format], 0);
+            desk.run_expecting(&["run", &file, "--pictures", format, "--out", format], 0);
             let names = desk.files(format);
             let of = |ending: &str| -> Vec<String> {
                 names.iter().filter_map(|name| Some(name.strip_suffix(ending)?.to_owned())).collect()
@@ -93,8 +93,8 @@ fn every_run_writes_requested_pictures() {
 fn subtitle_names_yielding_body() {
     let yields = |sphere: &str, half_space: &str| {
         let text = crate::common::STEEL.replace("345 MPa", half_space);
-        let desk = Desk::with(text.replace("[half_space]", &format!("yield_strength = \"{sphere}\"\n[half_space]")));
-        desk.ends(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
+        let desk = Sandbox::with(text.replace("[half_space]", &format!("yield_strength = \"{sphere}\"\n[half_space]")));
+        desk.run_expecting(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
         let picture = desk.read("o/force_indentation.svg");
         picture.lines().find(|line| line.contains("law PLM")).unwrap().trim().to_owned()
     };

@@ -17,7 +17,7 @@ pub const BLACK: &str = "#000000";
 pub const INK: &str = "#222222";
 
 /// A picture that was read back from its SVG.
-pub struct Drawn(pub String);
+pub struct SvgPicture(pub String);
 
 pub fn number(node: Node, name: &str) -> f64 {
     node.attribute(name).unwrap().parse().unwrap()
@@ -28,7 +28,7 @@ pub fn points(node: Node) -> Vec<(f64, f64)> {
     pairs.map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap())).collect()
 }
 
-impl Drawn {
+impl SvgPicture {
     pub fn of(chart: &Chart) -> Self {
         Self(text(&chart.to_svg().unwrap()))
     }

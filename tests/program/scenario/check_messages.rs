@@ -5,15 +5,15 @@ use serde::Deserialize;
 use crate::common::prelude::*;
 
 #[derive(Deserialize)]
-struct Says {
-    scene: Vec<Said>,
+struct ExpectedMessages {
+    scene: Vec<ExpectedCheck>,
 }
 
 /// A scenario, and what is said of it under these settings: all words of an entry, as the first those behind a `^`,
 /// and none behind a `!`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Said {
+struct ExpectedCheck {
     about: String,
     #[serde(default)]
     text: String,
@@ -39,7 +39,7 @@ fn assert_says(about: &str, said: &str, entry: &[String]) {
 #[test]
 fn check_prints_exactly_the_expected_messages() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-    for scene in toml::from_str::<Says>(include_str!("check_messages.toml")).unwrap().scene {
+    for scene in toml::from_str::<ExpectedMessages>(include_str!("check_messages.toml")).unwrap().scene {
         let copied = scene.copy_of.map(|path| std::fs::read_to_string(root.join(path)).unwrap());
         let checked = |entry: &[String]| {
             let set: Vec<&str> = entry[0].split(" & ").filter(|setting| !setting.is_empty()).collect();

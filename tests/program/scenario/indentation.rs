@@ -9,8 +9,8 @@ const ALLOYS: &str = include_str!("../../../scenarios/indentation-ti-nb.toml");
 
 #[test]
 fn several_half_spaces_have_separate_names() {
-    let desk = Desk::with(ALLOYS);
-    let (table, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
+    let desk = Sandbox::with(ALLOYS);
+    let (table, _) = desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     for half_space in desk.summary()["half_spaces"].as_array().unwrap() {
         let step = &half_space["steps"][0];
         // the terminal shows the same in µm, with four digits
@@ -28,7 +28,7 @@ fn elastic_indentation_leaves_no_dent() {
     let law = CYCLES.replace("[law.plm]\nunloading_exponent = \"pressure-shape\"", "[law.hertz]");
     let body = CYCLES.replace("yield_strength = \"630 MPa\"\n", "").replace("{ load = \"10 N\" },", "");
     for elastic in [law, body] {
-        let summary = Desk::ran(elastic).summary();
+        let summary = Sandbox::with_results(elastic).summary();
         let half_space = summary["half_spaces"][0].to_string();
         assert!(!half_space.contains("residual") && !half_space.contains("plastic"), "{half_space}");
         assert_eq!(summary["provenance"]["law"], "hertz");
@@ -41,20 +41,20 @@ fn elastic_indentation_leaves_no_dent() {
 fn a_nanoindentation_has_stiffness_modulus_and_hardness() {
     let text = "[sphere]\nmaterial = \"diamond\"\nradius = \"10 um\"\n[half_space]\nmaterial = \"silica-fused\"\n\
         [indentation]\nsteps = [{ load = \"50 mN\" }, { load = 0 }]\n";
-    let desk = Desk::with(text);
-    let (table, said) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
+    let desk = Sandbox::with(text);
+    let (table, said) = desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     assert!(said.contains("silica-fused cracks"), "{said}");
     let half_space = &desk.summary()["half_spaces"][0];
     let step = &half_space["steps"][1];
     let of = |name: &str| step[name].as_f64().unwrap();
     let modulus = 1.0 / ((1.0 - 0.07 * 0.07) / 1141e9 + (1.0 - 0.17 * 0.17) / 72.5e9);
     let radius = of("peak_contact_radius_m");
-    assert!(off(half_space["effective_modulus_Pa"].as_f64().unwrap(), modulus) < 1e-12);
-    assert!(off(of("unloading_stiffness_N_per_m"), 2.0 * modulus * radius) < 1e-12);
-    assert!(off(of("peak_mean_pressure_Pa"), 0.05 / (std::f64::consts::PI * radius * radius)) < 1e-12);
+    assert!(relative_error(half_space["effective_modulus_Pa"].as_f64().unwrap(), modulus) < 1e-12);
+    assert!(relative_error(of("unloading_stiffness_N_per_m"), 2.0 * modulus * radius) < 1e-12);
+    assert!(relative_error(of("peak_mean_pressure_Pa"), 0.05 / (std::f64::consts::PI * radius * radius)) < 1e-12);
     assert!(table.contains("hardness F/A"), "{table}");
     // with a hardness it has a dent
-    let hard = Desk::ran(
+    let hard = Sandbox::with_results(
         text.replace("silica-fused\"\n", "silica-fused\"\nhardness = \"7 GPa\"\n").replace("50 mN", "300 mN"),
     );
     assert!(hard.summary()["half_spaces"][0]["steps"][1]["residual_indentation_m"].as_f64().unwrap() > 1e-8);
@@ -65,6 +65,6 @@ fn densities_are_not_needed_and_do_no_harm() {
     let dense = CYCLES
         .replace("poissons_ratio = 0.23", "poissons_ratio = 0.23\ndensity = 15600")
         .replace("poissons_ratio = 0.3\n", "poissons_ratio = 0.3\ndensity = 4500\n");
-    let [plain, dense] = [CYCLES.to_owned(), dense].map(|text| Desk::ran(text).summary());
+    let [plain, dense] = [CYCLES.to_owned(), dense].map(|text| Sandbox::with_results(text).summary());
     assert_eq!(plain["half_spaces"], dense["half_spaces"]);
 }

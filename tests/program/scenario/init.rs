@@ -15,8 +15,8 @@ fn all_put_in(scenario: &str) -> String {
 #[test]
 fn every_template_runs_with_all_optional_keys() {
     for (kind, _) in TEMPLATES {
-        let desk = Desk::with("");
-        let (printed, said) = desk.ends(&["init", kind], 0);
+        let desk = Sandbox::with("");
+        let (printed, said) = desk.run_expecting(&["init", kind], 0);
         assert!(printed.is_empty() && said.contains(&format!("wrote {kind}.toml")));
         let file = format!("{kind}.toml");
         let scenario = desk.read(&file);
@@ -25,7 +25,7 @@ fn every_template_runs_with_all_optional_keys() {
         for name in [file.as_str(), "all.toml"] {
             for command in ["check", "run"] {
                 let more: &[&str] = if command == "run" { &["--pictures", "none"] } else { &[] };
-                let (_, said) = desk.ends(&[&[command, name], more].concat(), 0);
+                let (_, said) = desk.run_expecting(&[&[command, name], more].concat(), 0);
                 assert!(!said.contains("warning"), "{command} {name} of {kind}: {said}");
             }
         }
@@ -41,7 +41,7 @@ fn comment_of_key_is_its_registry_sentence() {
     let about = |path: &str| ALL_KEYS.iter().map(|key| (key.path, key.description)).find(|(known, _)| *known == path);
     let mut told = 0;
     for (kind, _) in TEMPLATES {
-        let scenario = Desk::with("").ends(&["init", kind, "--out", "-"], 0).0;
+        let scenario = Sandbox::with("").run_expecting(&["init", kind, "--out", "-"], 0).0;
         let (mut table, mut comment) = (String::new(), String::new());
         for line in scenario.lines().skip(2) {
             if let Some(more) = line.strip_prefix("# ") {
@@ -73,7 +73,7 @@ fn comment_of_key_is_its_registry_sentence() {
 #[test]
 fn templates_name_and_describe_every_table() {
     let all: Vec<String> =
-        TEMPLATES.iter().map(|(kind, _)| Desk::with("").ends(&["init", kind, "--out", "-"], 0).0).collect();
+        TEMPLATES.iter().map(|(kind, _)| Sandbox::with("").run_expecting(&["init", kind, "--out", "-"], 0).0).collect();
     let all = all.join("\n");
     let mut tables: Vec<&str> = ALL_KEYS.iter().map(|key| key.path.split('.').next().unwrap()).collect();
     tables.dedup();
@@ -85,11 +85,11 @@ fn templates_name_and_describe_every_table() {
 
 #[test]
 fn another_name_can_be_given() {
-    let desk = Desk::with("mine");
-    desk.ends(&["init", "sweep", "--out", "t.toml"], 0);
-    assert_eq!(desk.ends(&["init", "sweep", "--out", "-"], 0).0, desk.read("t.toml"));
+    let desk = Sandbox::with("mine");
+    desk.run_expecting(&["init", "sweep", "--out", "t.toml"], 0);
+    assert_eq!(desk.run_expecting(&["init", "sweep", "--out", "-"], 0).0, desk.read("t.toml"));
     // without an argument it is one impact
-    desk.ends(&["init"], 0);
+    desk.run_expecting(&["init"], 0);
     assert!(desk.read("impact.toml").contains("\n[impact]\n"));
     assert_eq!(desk.files(""), ["impact.toml", "s.toml", "t.toml"]);
 }
@@ -97,10 +97,10 @@ fn another_name_can_be_given() {
 /// Leeb's own figure for a steel of 300 HV is near 530 HLD; the templates of usual tasks answer their questions.
 #[test]
 fn the_usual_tasks_have_their_answers() {
-    let desk = Desk::with("");
+    let desk = Sandbox::with("");
     let summary = |kind: &str| {
-        desk.ends(&["init", kind], 0);
-        desk.ends(&["run", &format!("{kind}.toml"), "--pictures", "svg", "--quiet"], 0);
+        desk.run_expecting(&["init", kind], 0);
+        desk.run_expecting(&["run", &format!("{kind}.toml"), "--pictures", "svg", "--quiet"], 0);
         desk.json(&format!("plots/{kind}/summary.json"))
     };
     assert!(summary("drop")["rebound_height_m"].as_f64().unwrap() > 0.1);

@@ -6,7 +6,7 @@ const BALL: [&str; 5] = ["drop", "--ball", "steel-52100-hardened", "--diameter",
 
 /// The summary of a drop of this ball, and what it prints to standard error.
 fn drop(arguments: &[&str]) -> (Value, String) {
-    let (summary, said) = Desk::with("").ends(&[&BALL[..], &["--json"], arguments].concat(), 0);
+    let (summary, said) = Sandbox::with("").run_expecting(&[&BALL[..], &["--json"], arguments].concat(), 0);
     (serde_json::from_str(&summary).unwrap(), said)
 }
 
@@ -41,7 +41,7 @@ fn ends_follow_from_the_parts() {
         });
         let e = number(&summary, "restitution_with_waves");
         for (end, want) in interval(&summary).iter().zip(ends) {
-            assert!(off(*end, e * want) < 1e-9, "{summary}");
+            assert!(relative_error(*end, e * want) < 1e-9, "{summary}");
         }
     }
 }
@@ -55,7 +55,7 @@ fn hardness_of_a_material_moves_all_its_bodies() {
     let e = number(&summary, "restitution_with_waves");
     for (end, hardness) in ends.iter().zip(["99 HV", "113 HV"]) {
         let (at_end, _) = drop(&["--on", "aluminium-6061-t6", "--from", "1 m", "--hardness", hardness]);
-        assert!(off(number(&at_end, "restitution_with_waves"), e * (1.0 + end)) < 1e-9, "{hardness}");
+        assert!(relative_error(number(&at_end, "restitution_with_waves"), e * (1.0 + end)) < 1e-9, "{hardness}");
         assert!(part(&at_end, "hardness").is_none(), "a hardness that is typed has no range");
     }
     // with both at the top of the range e of copper on itself lies above an interval that moves one of them
@@ -72,12 +72,12 @@ fn hardness_of_a_material_moves_all_its_bodies() {
             "3 m/s",
             "--json",
         ];
-        let printed = Desk::with("").ends(&[&text[..], hardness].concat(), 0).0;
+        let printed = Sandbox::with("").run_expecting(&[&text[..], hardness].concat(), 0).0;
         serde_json::from_str::<Value>(&printed).unwrap()
     };
     let (by_name, at_top) = (copper(&[]), copper(&["--hardness", "110 HV", "--ball-hardness", "110 HV"]));
     let e = number(&by_name, "restitution_with_waves") * (1.0 + part(&by_name, "hardness").unwrap().1[1]);
-    assert!(off(number(&at_top, "restitution_with_waves"), e) < 1e-9, "{by_name} {at_top}");
+    assert!(relative_error(number(&at_top, "restitution_with_waves"), e) < 1e-9, "{by_name} {at_top}");
 }
 
 /// One ball on one plate, by the proof stress of a data sheet, by a hardness and by the name alone: the intervals meet, and all hold e
@@ -90,8 +90,8 @@ fn intervals_of_one_plate_overlap() {
     let (by_name, _) = drop(&s235);
     assert!(said.contains("give half_space.flow_stress.power.exponent"), "{said}");
     let piece = "[sphere]\nmaterial = \"steel-52100-hardened\"\ndiameter = \"10 mm\"\n[impact]\ndrop_height = \"1 m\"\n[law.plm]\nunloading_exponent = \"pressure-shape\"\n[half_space]\nmaterial = \"steel-s235\"\nhardness = \"120 HV\"\nflow_stress.power.exponent = 0.2\nrate.johnson_cook.c = 0.01\n";
-    let desk = Desk::with(piece);
-    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none", "--force"], 0);
+    let desk = Sandbox::with(piece);
+    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none", "--force"], 0);
     let e = number(&desk.summary(), "restitution_with_waves");
     for summary in [&by_strength, &by_hardness, &by_name] {
         let [low, high] = interval(summary);
@@ -110,7 +110,7 @@ fn intervals_of_one_plate_overlap() {
     let (proof, _) = drop(&[&s235[..], &["--strength", "235 MPa", "--strength-kind", "proof"]].concat());
     assert!(part(&proof, "proof stress").is_some() && proof.get("notes").is_none(), "{proof}");
     // the text names the options that were typed
-    let (printed, _) = Desk::with("").ends(&[&BALL[..], &s235[..], &["--strength", "235 MPa"]].concat(), 0);
+    let (printed, _) = Sandbox::with("").run_expecting(&[&BALL[..], &s235[..], &["--strength", "235 MPa"]].concat(), 0);
     assert!(
         printed.contains("e holds if --strength = 235 MPa is the flow stress")
             && printed.contains("Set --strength-kind"),
@@ -124,8 +124,8 @@ fn wood_has_no_interval() {
     let oak = STEEL
         .replace("210 GPa\"\npoissons_ratio = 0.3\nyield", "12 GPa\"\npoissons_ratio = 0.3\nyield")
         .replace("345 MPa", "50 MPa");
-    let desk = Desk::with(&oak);
-    let (printed, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none", "--force"], 0);
+    let desk = Sandbox::with(&oak);
+    let (printed, _) = desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none", "--force"], 0);
     assert!(desk.summary().get("restitution_interval").is_none());
     assert!(printed.contains("e has no interval: the law was made for metals"), "{printed}");
 }
@@ -134,10 +134,10 @@ fn wood_has_no_interval() {
 /// to finite elements, e lies inside the interval.
 #[test]
 fn exponent_of_the_paper_is_a_shift() {
-    let desk = Desk::with(STEEL);
+    let desk = Sandbox::with(STEEL);
     let run = |set: &[&str]| {
         let (printed, _) =
-            desk.ends(&[&["run", "s.toml", "--out", "out", "--pictures", "none", "--force"], set].concat(), 0);
+            desk.run_expecting(&[&["run", "s.toml", "--out", "out", "--pictures", "none", "--force"], set].concat(), 0);
         (desk.summary(), printed)
     };
     let (paper, printed) = run(&[]);
@@ -175,11 +175,11 @@ fn calibration_reports_the_error_of_its_exponent() {
         )
     };
     let shaped = "[law.plm]\nunloading_exponent = \"pressure-shape\"\n";
-    let desk = Desk::with(&scenario(shaped));
+    let desk = Sandbox::with(&scenario(shaped));
     let mut data = "drop_height_mm,rebound_height_mm\n".to_owned();
     for height in [200, 400, 800] {
         let set = format!("impact.drop_height={height} mm");
-        desk.ends(
+        desk.run_expecting(
             &[
                 "run",
                 "s.toml",
@@ -197,11 +197,12 @@ fn calibration_reports_the_error_of_its_exponent() {
         );
         data += &format!("{height},{}\n", 1e3 * number(&desk.summary(), "rebound_height_m"));
     }
-    desk.put("heights.csv", data);
+    desk.write("heights.csv", data);
     let request = "[calibrate]\ndata = \"heights.csv\"\nfree = { \"half_space.hardness\" = { from = \"30 HV\", to = \"300 HV\" } }\nnoise = { model = 0.01 }\n";
     let found = |law: &str| {
-        desk.put("c.toml", scenario(law) + request);
-        let (printed, _) = desk.ends(&["calibrate", "c.toml", "--out", "found", "--pictures", "none", "--force"], 0);
+        desk.write("c.toml", scenario(law) + request);
+        let (printed, _) =
+            desk.run_expecting(&["calibrate", "c.toml", "--out", "found", "--pictures", "none", "--force"], 0);
         let summary = desk.json("found/summary.json");
         (number(&summary["keys"][0], "estimate"), summary, printed)
     };
@@ -228,10 +229,10 @@ fn no_interval_beside_a_warning_without_figures() {
     assert!(drop(&["--on", "lead", "--speed", "30 m/s"]).0.get("restitution_interval").is_none());
     assert!(drop(&["--on", "lead", "--speed", "0.5 m/s"]).0.get("restitution_interval").is_none());
     let glass = ["drop", "--ball", "glass-soda-lime", "--diameter", "5 mm", "--on", "lead", "--speed", "1 m/s"];
-    assert!(!Desk::with("").ends(&glass, 0).0.contains("law "));
+    assert!(!Sandbox::with("").run_expecting(&glass, 0).0.contains("law "));
     for change in ["law=thornton", "law.plm.unloading_exponent=1.7", "impact.speed=1e-3"] {
-        let desk = Desk::with(STEEL);
-        desk.ends(&["run", "s.toml", "--set", change, "--out", "out", "--pictures", "none", "--force"], 0);
+        let desk = Sandbox::with(STEEL);
+        desk.run_expecting(&["run", "s.toml", "--set", change, "--out", "out", "--pictures", "none", "--force"], 0);
         assert!(desk.summary().get("restitution_interval").is_none(), "{change}");
     }
 }
@@ -242,7 +243,7 @@ fn no_interval_beside_a_warning_without_figures() {
 fn metals_that_harden_are_computed_on_their_like() {
     for metal in ["steel-304-annealed", "aluminium-2024-t3", "copper-annealed"] {
         let arguments = ["drop", "--ball", metal, "--diameter", "5 mm", "--on", metal, "--speed", "3 m/s", "--json"];
-        let (printed, warned) = Desk::with("").ends(&arguments, 0);
+        let (printed, warned) = Sandbox::with("").run_expecting(&arguments, 0);
         let summary: Value = serde_json::from_str(&printed).unwrap();
         assert_eq!(summary["yields"], "both", "{metal}");
         assert!(
@@ -256,7 +257,7 @@ fn metals_that_harden_are_computed_on_their_like() {
     }
     let curve = STEEL.replace("[half_space]", "yield_strength = \"345 MPa\"\n[half_space]")
         + "[half_space.flow_stress]\npower = { exponent = 0.1 }\n";
-    let (_, said) = Desk::with(&curve).ends(&["run", "s.toml", "--out", "o"], 2);
+    let (_, said) = Sandbox::with(&curve).run_expecting(&["run", "s.toml", "--out", "o"], 2);
     let line = 1 + curve.lines().position(|line| line == "[half_space.flow_stress]").unwrap();
     assert!(said.contains(&format!("s.toml:{line}")) && said.contains("half_space.flow_stress"), "{said}");
 }

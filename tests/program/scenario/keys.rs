@@ -20,7 +20,7 @@ use pages::renewed;
 
 #[test]
 fn the_command_prints_the_schema() {
-    let output = Desk::with("").call(&["schema"]);
+    let output = Sandbox::with("").run(&["schema"]);
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(serde_json::from_str::<Value>(&text(&output.stdout)).unwrap(), schema());
 }

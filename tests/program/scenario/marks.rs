@@ -18,20 +18,20 @@ fn line<'a>(printed: &'a str, name: &str) -> Option<&'a str> {
 fn first_yield_beyond_the_law_is_not_printed() {
     let golf = STEEL
         .replace("radius = \"5 mm\"\nyoungs_modulus = \"210 GPa\"", "radius = \"21 mm\"\nyoungs_modulus = \"100 MPa\"");
-    let yields = contact(STEEL, NONE);
-    let never = contact(&golf, NONE);
+    let yields = contact(STEEL, NO_OVERRIDES);
+    let never = contact(&golf, NO_OVERRIDES);
     assert!(yields.yield_speed().is_some() && yields.pair().reachable_yield_point().is_some());
     let point = never.pair().yield_point.unwrap();
     assert!(point.contact_radius > never.sphere().radius);
     assert_eq!((never.yield_speed(), never.yield_indentation_and_force()), (None, None));
     for name in ["yield speed", "first yield"] {
-        assert!(printed(STEEL, NONE).contains(name) && !printed(&golf, NONE).contains(name), "{name}");
+        assert!(printed(STEEL, NO_OVERRIDES).contains(name) && !printed(&golf, NO_OVERRIDES).contains(name), "{name}");
     }
-    let desk = Desk::with(&golf);
-    let (checked, _) = desk.ends(&["check", "s.toml"], 0);
+    let desk = Sandbox::with(&golf);
+    let (checked, _) = desk.run_expecting(&["check", "s.toml"], 0);
     assert!(checked.contains("at first yield the contact would be wider than the sphere"), "{checked}");
     assert!(!checked.contains("v_Y") && !checked.contains("F_Y"), "{checked}");
-    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
+    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     assert!(desk.summary().get("yield_speed_m_per_s").is_none());
 }
 
@@ -58,11 +58,11 @@ fn rebound_speed_within_rounding_is_0() {
     let cradle = STEEL
         .replace("density = \"7850 kg/m^3\"", "mass = \"4 g\"")
         .replace("yield_strength = \"345 MPa\"", "radius = \"5 mm\"\nmass = \"4 g\"");
-    let said = printed(&cradle, NONE);
+    let said = printed(&cradle, NO_OVERRIDES);
     assert!(line(&said, "rebound speed").is_some_and(|line| line.split_whitespace().nth(2) == Some("0")), "{said}");
     assert!(line(&said, "target speed").is_some_and(|line| line.contains("3 m/s")), "{said}");
     // a slow rebound is a rebound
-    let (rebound, _) = contact(&cradle, NONE).speeds_after(3.0, 1.0 - 1e-6);
+    let (rebound, _) = contact(&cradle, NO_OVERRIDES).speeds_after(3.0, 1.0 - 1e-6);
     assert!((rebound / -1.5e-6 - 1.0).abs() < 1e-6, "{rebound}");
 }
 
@@ -83,7 +83,7 @@ fn a_restitution_below_the_sticking_speed_is_marked() {
 fn nearly_0_has_no_digits() {
     let drop = |thickness: &str| {
         let arguments = ["drop", "--ball", "steel-52100-hardened", "--diameter", "10 mm", "--on", "aluminium-6061-t6"];
-        Desk::with("").ends(&[&arguments[..], &["--from", "1 m", "--thickness", thickness]].concat(), 0)
+        Sandbox::with("").run_expecting(&[&arguments[..], &["--from", "1 m", "--thickness", thickness]].concat(), 0)
     };
     let (said, warned) = drop("2 mm");
     assert!(warned.contains("take e for nearly 0"), "{warned}");
@@ -101,19 +101,22 @@ fn springs_leave_no_dent() {
         !said.contains("dent ") && said.contains("residual indentation") && said.contains("into the spring"),
         "{said}"
     );
-    assert!(printed(STEEL, NONE).contains("dent depth") && printed(STEEL, &["law=thornton"]).contains("dent diameter"));
+    assert!(
+        printed(STEEL, NO_OVERRIDES).contains("dent depth")
+            && printed(STEEL, &["law=thornton"]).contains("dent diameter")
+    );
     let slow = STEEL.replace("[impact]\nspeed = \"3 m/s\"", "[indentation]\nsteps = [{ load = \"50 N\" }]");
     let said = printed(&slow, &law);
     assert!(!said.contains("dent depth") && said.contains("residual indentation"), "{said}");
-    assert!(printed(&slow, NONE).contains("dent depth"));
+    assert!(printed(&slow, NO_OVERRIDES).contains("dent depth"));
 }
 
 #[test]
 fn options_of_drop_may_hold_any_character() {
-    let desk = Desk::with("");
+    let desk = Sandbox::with("");
     let drop = |diameter: &str, more: &[&str], code| {
         let arguments = ["drop", "--ball", "steel-52100-hardened", "--on", "aluminium-6061-t6", "--from", "1 m"];
-        desk.ends(&[&arguments[..], &["--diameter", diameter], more].concat(), code)
+        desk.run_expecting(&[&arguments[..], &["--diameter", diameter], more].concat(), code)
     };
     // a blank that does not break, as it is copied from a page
     assert_eq!(drop("10\u{a0}mm", &[], 0).0, drop("10 mm", &[], 0).0);

@@ -16,7 +16,7 @@ fn steel() -> String {
     pair("steel-52100-hardened", "steel-s235")
 }
 
-fn scene(text: &str) -> Input {
+fn input_of(text: &str) -> Input {
     Scenario::from_text("s.toml", text, &[]).unwrap().resolve().unwrap()
 }
 
@@ -29,13 +29,13 @@ fn every_material_works_as_ball_and_plate() {
     for entry in all() {
         let name = &entry.name;
         for (sphere, half_space) in [(name.as_str(), "steel-s355"), ("alumina-99.5", name.as_str())] {
-            let scene = scene(&pair(sphere, half_space));
+            let scene = input_of(&pair(sphere, half_space));
             let restitution = scene.contact().unwrap().closed_form(scene.speed()).unwrap().restitution;
             let yields = find(half_space).unwrap().is_metal();
             assert_eq!(scene.half_space().yield_strength.is_some(), yields, "{half_space}");
             if !yields {
                 // plates of brittle materials and of polymers stay elastic
-                assert!(off(restitution, 1.0) < 1e-12, "{sphere} on {half_space}: {restitution}");
+                assert!(relative_error(restitution, 1.0) < 1e-12, "{sphere} on {half_space}: {restitution}");
             } else if sphere == "alumina-99.5" {
                 assert!(restitution > 0.02 && restitution < 1.0, "{sphere} on {half_space}: {restitution}");
             } else {
@@ -48,8 +48,8 @@ fn every_material_works_as_ball_and_plate() {
 
 #[test]
 fn material_equals_its_keys() {
-    let by_name = scene(&pair("steel-52100-hardened", "steel-304-annealed"));
-    let by_keys = scene(
+    let by_name = input_of(&pair("steel-52100-hardened", "steel-304-annealed"));
+    let by_keys = input_of(
         "[sphere]\nradius = \"5 mm\"\nyoungs_modulus = \"207 GPa\"\npoissons_ratio = 0.3\ndensity = \"7830 kg/m^3\"\n\
          [half_space]\nyoungs_modulus = \"193 GPa\"\npoissons_ratio = 0.29\nhardness = \"145 HV\"\ndensity = 8000\n\
          flow_stress.power.exponent = 0.25\n[impact]\nspeed = 3\n",
@@ -62,17 +62,17 @@ fn material_equals_its_keys() {
     );
     // 63 HRC is 773 HV in ISO 18265 (61.8 HRC is 740 HV, 63.3 HRC
     // is 780 HV), and 772 HV is 3387 MPa by another program
-    assert!(off(by_name.sphere().yield_strength.unwrap(), 3.387e9) < 1e-3, "{:?}", by_name.sphere());
+    assert!(relative_error(by_name.sphere().yield_strength.unwrap(), 3.387e9) < 1e-3, "{:?}", by_name.sphere());
 }
 
 /// A metal gives sphere and half-space equal hardness, exponent and yield strength.
 #[test]
 fn a_material_gives_both_bodies_the_same_strength() {
     for name in ["steel-304-annealed", "aluminium-6061-t6", "steel-52100-hardened"] {
-        let both = scene(&pair(name, name));
+        let both = input_of(&pair(name, name));
         let keys = |body: &str| {
             let keys = ["hardness", "flow_stress.power.exponent", "density", "youngs_modulus", "poissons_ratio"];
-            keys.map(|key| given(&both, &format!("{body}.{key}")))
+            keys.map(|key| number_of_key(&both, &format!("{body}.{key}")))
         };
         assert_eq!(keys("sphere"), keys("half_space"), "{name}");
         assert_eq!(both.sphere().yield_strength, both.half_space().yield_strength, "{name}");
@@ -83,25 +83,31 @@ fn a_material_gives_both_bodies_the_same_strength() {
 #[test]
 fn key_overrides_value_of_material() {
     let with = |key: &str| {
-        scene(&pair("steel-52100-hardened", "steel-304-annealed").replace("[impact]", &format!("{key}\n[impact]")))
+        input_of(&pair("steel-52100-hardened", "steel-304-annealed").replace("[impact]", &format!("{key}\n[impact]")))
     };
     assert_eq!(with("youngs_modulus = 2e11").half_space().material.youngs_modulus, 2e11);
     assert_eq!(with("density = 7900").half_space().density, Some(7900.0));
     // another hardness keeps the exponent; a yield strength replaces hardness and exponent
     let harder = with("hardness = \"200 HV\"");
-    assert!(off(given(&harder, "half_space.hardness").unwrap(), 9.806_65e6 * 200.0 / 0.9272) < 1e-14);
+    assert!(
+        relative_error(number_of_key(&harder, "half_space.hardness").unwrap(), 9.806_65e6 * 200.0 / 0.9272) < 1e-14
+    );
     assert_eq!(harder.law().flow_curves()[1], Some(&FlowCurve::Power { exponent: 0.25 }));
     let own = with("yield_strength = \"300 MPa\"");
     assert_eq!(
-        (own.half_space().yield_strength, given(&own, "half_space.hardness"), own.law().flow_curves()[1]),
+        (own.half_space().yield_strength, number_of_key(&own, "half_space.hardness"), own.law().flow_curves()[1]),
         (Some(300e6), None, None)
     );
     let hardening = with("hardness = \"200 HV\"\nflow_stress.power.exponent = 0.2");
     assert_eq!(hardening.law().flow_curves()[1], Some(&FlowCurve::Power { exponent: 0.2 }));
     // a mass instead of the density, a rigid sphere, and overrides on the command line
-    let hammer =
-        scene(&steel().replace("radius = \"5 mm\"", "radius = \"5 mm\"\nmass = \"5.5 g\"\nyoungs_modulus = \"rigid\""));
-    assert_eq!((given(&hammer, "sphere.mass"), hammer.sphere().material.youngs_modulus), (Some(5.5e-3), f64::INFINITY));
+    let hammer = input_of(
+        &steel().replace("radius = \"5 mm\"", "radius = \"5 mm\"\nmass = \"5.5 g\"\nyoungs_modulus = \"rigid\""),
+    );
+    assert_eq!(
+        (number_of_key(&hammer, "sphere.mass"), hammer.sphere().material.youngs_modulus),
+        (Some(5.5e-3), f64::INFINITY)
+    );
     let set = ["half_space.material=aluminium-7075-t6".to_owned(), "sphere.density=7000".to_owned()];
     let set = Scenario::from_text("s.toml", &steel(), &set).unwrap().resolve().unwrap();
     assert_eq!((set.half_space().material.youngs_modulus, set.sphere().density), (71.7e9, 7000.0));
@@ -109,18 +115,20 @@ fn key_overrides_value_of_material() {
 
 #[test]
 fn unused_material_values_are_not_applied() {
-    let with = |tables: &str| scene(&(pair("steel-52100-hardened", "steel-304-annealed") + tables));
+    let with = |tables: &str| input_of(&(pair("steel-52100-hardened", "steel-304-annealed") + tables));
     // no elastic waves beside damping; no hardening under another law
     assert!(with("[gravity]\nacceleration = 9.81\n").half_space().density.is_some());
     assert_eq!(with("[damping]\nviscous = 0.1\n").half_space().density, None);
     let thornton = with("[law.thornton]\n");
-    assert!(matches!(thornton.law(), LawChoice::Thornton(_)) && given(&thornton, "half_space.hardness").is_some());
+    assert!(
+        matches!(thornton.law(), LawChoice::Thornton(_)) && number_of_key(&thornton, "half_space.hardness").is_some()
+    );
 }
 
 #[test]
 fn the_summary_repeats_name_values_and_basis() {
-    let desk = Desk::with(pair("steel-52100-hardened", "steel-304-annealed"));
-    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
+    let desk = Sandbox::with(pair("steel-52100-hardened", "steel-304-annealed"));
+    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     let inputs = &desk.summary()["inputs"];
     assert_eq!(inputs["half_space_material"], "steel-304-annealed");
     assert_eq!(inputs["sphere_material"], "steel-52100-hardened");
@@ -136,7 +144,7 @@ fn materials_are_an_axis() {
     let plates = ["steel-s235", "steel-304-annealed", "aluminium-6061-t6", "copper-annealed"];
     let sweep = format!("[sweep]\n\"half_space.material\" = {plates:?}\n\"impact.speed\" = [1, 3]\n");
     let table = |text: &str| {
-        let desk = Desk::ran(text);
+        let desk = Sandbox::with_results(text);
         (desk.read("out/table.csv"), desk.summary()["inputs"].clone())
     };
     let (csv, inputs) = table(&(steel() + &sweep));
@@ -168,7 +176,7 @@ fn material_ranges_are_drawn_by_one_line() {
     // S235 has one density and one Poisson's ratio, so they are not drawn
     assert_eq!(drawn, ["half_space.youngs_modulus", "half_space.hardness", "impact.speed"]);
     let ends = |place: usize| (variables[place].value(0.0), variables[place].value(1.0));
-    assert!(off(ends(0).0, 207e9) < 1e-12 && off(ends(0).1, 210e9) < 1e-12);
+    assert!(relative_error(ends(0).0, 207e9) < 1e-12 && relative_error(ends(0).1, 210e9) < 1e-12);
     // 104 HB and 154 HB are 109.4 and 161.7 HV in ISO 18265
     let vickers = |pressure: f64| pressure * 0.9272 / 9.806_65e6;
     assert!((vickers(ends(1).0) - 109.4).abs() < 0.1 && (vickers(ends(1).1) - 161.7).abs() < 0.1);
@@ -177,7 +185,7 @@ fn material_ranges_are_drawn_by_one_line() {
     let lines = "\"half_space.youngs_modulus\" = { uniform = [\"207 GPa\", \"210 GPa\"] }\n\"half_space.hardness\" = { uniform = [\"104 HB\", \"154 HB\"] }";
     let spelled = random.replace("\"half_space.material\" = \"uniform\"", lines);
     let rows = |text: &str| -> Vec<String> {
-        let table = Desk::ran(text).read("out/table.csv");
+        let table = Sandbox::with_results(text).read("out/table.csv");
         table.lines().filter(|line| !line.starts_with('#')).map(ToOwned::to_owned).collect()
     };
     assert_eq!(rows(&random), rows(&spelled));
@@ -188,7 +196,7 @@ fn calibration_frees_the_strength_of_the_material() {
     let text = steel() + "[calibrate.measured]\nrestitution = 0.5\n";
     let wanted = Scenario::from_text("s.toml", &text, &[]).unwrap().calibration_request().unwrap();
     assert_eq!(
-        (given(&wanted.input, "half_space.hardness"), wanted.free[0].key.path),
+        (number_of_key(&wanted.input, "half_space.hardness"), wanted.free[0].key.path),
         (None, "half_space.yield_strength")
     );
     assert_eq!(wanted.input.half_space().material.youngs_modulus, 210e9);
@@ -216,25 +224,27 @@ fn every_interface_uses_hardness_of_material() {
     for name in ["aluminium-6061-t6", "steel-304-annealed", "steel-s235"] {
         let named = pair("steel-52100-hardened", name);
         let written = named.replace(&format!("material = \"{name}\"\n"), &keys(name));
-        let impact = contact(&written, NONE).closed_form(3.0).unwrap();
+        let impact = contact(&written, NO_OVERRIDES).closed_form(3.0).unwrap();
         let (e, with_waves) = (impact.restitution, impact.restitution_with_waves().unwrap());
         assert!(e < 0.9, "{name} yields");
         let first = |csv: &str, column: &str| numbers(csv, column)[0];
 
-        let desk = Desk::ran(&named);
-        assert!(off(desk.summary()["restitution"].as_f64().unwrap(), e) < 1e-9, "{name}");
-        let table = Desk::ran(named.clone() + "[sweep]\n\"sphere.radius\" = [5e-3, 6e-3]\n").read("out/table.csv");
-        assert!(off(first(&table, "restitution"), e) < 1e-9, "{name}");
-        let series = Desk::ran(named.clone() + "[repeat]\nspot = \"fresh\"\nimpacts = 2\n").read("out/impacts.csv");
-        assert!(off(first(&series, "restitution"), e) < 1e-9, "{name}");
-        let (lines, _) = desk.ends(&["export", "s.toml", "--to", "csv"], 0);
+        let desk = Sandbox::with_results(&named);
+        assert!(relative_error(desk.summary()["restitution"].as_f64().unwrap(), e) < 1e-9, "{name}");
+        let table =
+            Sandbox::with_results(named.clone() + "[sweep]\n\"sphere.radius\" = [5e-3, 6e-3]\n").read("out/table.csv");
+        assert!(relative_error(first(&table, "restitution"), e) < 1e-9, "{name}");
+        let series =
+            Sandbox::with_results(named.clone() + "[repeat]\nspot = \"fresh\"\nimpacts = 2\n").read("out/impacts.csv");
+        assert!(relative_error(first(&series, "restitution"), e) < 1e-9, "{name}");
+        let (lines, _) = desk.run_expecting(&["export", "s.toml", "--to", "csv"], 0);
         // the wall has a density, so the lines have e with waves
         assert!(lines.contains(&format!(",{with_waves:.9}\n")), "{name}: {lines}");
-        desk.put("d.csv", format!("speed_m_per_s,restitution\n3,{with_waves}\n"));
-        desk.ends(
+        desk.write("d.csv", format!("speed_m_per_s,restitution\n3,{with_waves}\n"));
+        desk.run_expecting(
             &["calibrate", "s.toml", "d.csv", "--set", "calibrate.free={}", "--out", "c", "--pictures", "none"],
             0,
         );
-        assert!(off(first(&desk.read("c/residuals.csv"), "predicted"), with_waves) < 1e-9, "{name}");
+        assert!(relative_error(first(&desk.read("c/residuals.csv"), "predicted"), with_waves) < 1e-9, "{name}");
     }
 }

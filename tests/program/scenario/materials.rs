@@ -61,7 +61,7 @@ fn values_are_those_that_are_published() {
         let known = &find(&name).unwrap().properties;
         let known = known.iter().find(|known| known.property.name() == property).unwrap();
         let published = quantity(known.property).parse(&published).unwrap();
-        assert!(off(known.value.value, published) <= tolerance, "{name}.{property} of {source}");
+        assert!(relative_error(known.value.value, published) <= tolerance, "{name}.{property} of {source}");
     }
 }
 
@@ -164,7 +164,7 @@ fn bad_material_file_is_refused_with_position() {
 }
 
 fn materials(arguments: &[&str]) -> String {
-    Desk::with("").ends(&[&["materials"], arguments].concat(), 0).0
+    Sandbox::with("").run_expecting(&[&["materials"], arguments].concat(), 0).0
 }
 
 #[test]
@@ -203,8 +203,8 @@ fn the_beginning_of_names_lists_those() {
 /// Every value lies in its range. The density of the alloy is that of the data sheets, 2700 kg/m^3.
 #[test]
 fn json_of_materials_has_si_values_and_ranges() {
-    let desk = Desk::with("");
-    let json = |arguments: &[&str]| -> Value { serde_json::from_str(&desk.ends(arguments, 0).0).unwrap() };
+    let desk = Sandbox::with("");
+    let json = |arguments: &[&str]| -> Value { serde_json::from_str(&desk.run_expecting(arguments, 0).0).unwrap() };
     let whole = json(&["materials", "--json"]);
     assert_eq!(whole.as_array().unwrap().len(), all().len());
     for property in whole.as_array().unwrap().iter().flat_map(|one| one["properties"].as_object().unwrap().values()) {

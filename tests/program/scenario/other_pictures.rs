@@ -16,10 +16,10 @@ fn check(table: &str, script: &str, now: impl Fn(&str) -> f64) {
 
 #[test]
 fn page_picture_shows_current_numbers() {
-    let desk = Desk::with("");
-    let template = desk.ends(&["init", "impact", "--out", "-"], 0).0;
-    desk.put("s.toml", &template);
-    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
+    let desk = Sandbox::with("");
+    let template = desk.run_expecting(&["init", "impact", "--out", "-"], 0).0;
+    desk.write("s.toml", &template);
+    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     let summary = desk.summary();
     let script = "UPDATE=1 node --test tests/web/page.test.mjs";
     check(include_str!("../../reference/page_picture.csv"), script, |name| summary[name].as_f64().unwrap());
@@ -27,12 +27,12 @@ fn page_picture_shows_current_numbers() {
 
 #[test]
 fn lammps_picture_shows_current_restitution() {
-    let desk = Desk::with("");
+    let desk = Sandbox::with("");
     let steel = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/steel-on-steel.toml");
-    desk.put("s.toml", fs::read_to_string(steel).unwrap());
+    desk.write("s.toml", fs::read_to_string(steel).unwrap());
     check(include_str!("../../reference/rain_picture.csv"), "UPDATE=1 pytest tests/lammps", |speed| {
         let speed = format!("impact.speed={speed}");
-        desk.ends(&["run", "s.toml", "--out", "out", "--force", "--pictures", "none", "--set", &speed], 0);
+        desk.run_expecting(&["run", "s.toml", "--out", "out", "--force", "--pictures", "none", "--set", &speed], 0);
         desk.summary()["restitution"].as_f64().unwrap()
     });
 }

@@ -8,18 +8,18 @@ use crate::common::prelude::*;
 use crate::report::svg_reader::*;
 
 /// The picture of this name that a scenario draws.
-fn drawn(text: &str, picture: &str) -> Drawn {
+fn drawn(text: &str, picture: &str) -> SvgPicture {
     drawn_as(text, picture, "svg")
 }
 
-fn drawn_as(text: &str, picture: &str, format: &str) -> Drawn {
-    let desk = Desk::with(text);
-    desk.ends(&["run", "s.toml", "--out", "o", "--pictures", format], 0);
-    Drawn(desk.read(&format!("o/{picture}.svg")))
+fn drawn_as(text: &str, picture: &str, format: &str) -> SvgPicture {
+    let desk = Sandbox::with(text);
+    desk.run_expecting(&["run", "s.toml", "--out", "o", "--pictures", format], 0);
+    SvgPicture(desk.read(&format!("o/{picture}.svg")))
 }
 
 /// Whether these words are a text of the picture, or lines of the key one below the other.
-fn has(drawn: &Drawn, words: &str) -> bool {
+fn has(drawn: &SvgPicture, words: &str) -> bool {
     let texts: Vec<String> = drawn.texts().iter().map(|text| text.replace('\u{a0}', " ")).collect();
     texts.iter().any(|text| text == words) || texts.windows(2).any(|pair| pair.join(" ") == words)
 }
@@ -106,7 +106,7 @@ fn unloading_curves_on_logarithmic_axes_end_at_edge() {
 fn an_error_bar_below_zero_reaches_the_edge() {
     let axes = [Axis::linear("x", "").with_range(0.0, 3.0), Axis::log("y", "").with_range(0.1, 100.0)];
     let bars = Series::error_bars([(1.0, 10.0, 5.0), (2.0, 1.0, 2.0)].into_iter()).with_style(0);
-    let drawn = Drawn::of(&Chart::new("bars", axes, vec![bars]));
+    let drawn = SvgPicture::of(&Chart::new("bars", axes, vec![bars]));
     let lines = drawn.lines(BLUE);
     assert_eq!(lines.len(), 2);
     let bottom = drawn.boxes()[0][3];
@@ -132,10 +132,10 @@ fn damped_impact_names_its_damping() {
 /// Both heights of a fit are in one unit, and a hardness is in HV, as in a sweep.
 #[test]
 fn fit_has_one_unit_and_hardness_scale() {
-    let desk = Desk::with(STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "[calibrate]\ndata = \"d.csv\"\n"));
-    desk.put("d.csv", "drop_height_m,rebound_height_m\n0.5,0.13\n1,0.23\n1.5,0.31\n2,0.38\n");
-    desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "svg"], 0);
-    let drawn = Drawn(desk.read("o/fit_rebound_height.svg"));
+    let desk = Sandbox::with(STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "[calibrate]\ndata = \"d.csv\"\n"));
+    desk.write("d.csv", "drop_height_m,rebound_height_m\n0.5,0.13\n1,0.23\n1.5,0.31\n2,0.38\n");
+    desk.run_expecting(&["calibrate", "s.toml", "--out", "o", "--pictures", "svg"], 0);
+    let drawn = SvgPicture(desk.read("o/fit_rebound_height.svg"));
     assert!(has(&drawn, "Drop height [m]") && has(&drawn, "Rebound height [m]"), "{:?}", drawn.texts());
     assert!(has(&drawn, "PLM"));
 }
@@ -174,18 +174,18 @@ fn sphere_panel_names_indented_body() {
 fn equal_values_have_no_histogram() {
     for (key, count) in [("sphere.radius", 0), ("half_space.yield_strength", 1)] {
         let range = if count == 0 { "[\"1 mm\", \"9 mm\"]" } else { "[\"300 MPa\", \"400 MPa\"]" };
-        let desk = Desk::with(format!("{STEEL}[monte_carlo]\nsamples = 50\n\"{key}\" = {{ uniform = {range} }}\n"));
-        desk.ends(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
+        let desk = Sandbox::with(format!("{STEEL}[monte_carlo]\nsamples = 50\n\"{key}\" = {{ uniform = {range} }}\n"));
+        desk.run_expecting(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
         assert_eq!(desk.files("o").iter().filter(|name| name.ends_with(".svg")).count(), count, "{key}");
     }
 }
 
 /// The files of a calibration of these keys, with pictures.
-fn calibrated(keys: &str, data: &str, code: i32) -> Desk {
+fn calibrated(keys: &str, data: &str, code: i32) -> Sandbox {
     let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
-    let desk = Desk::with(format!("{still}[calibrate]\ndata = \"d.csv\"\n{keys}"));
-    desk.put("d.csv", data);
-    desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "svg"], code);
+    let desk = Sandbox::with(format!("{still}[calibrate]\ndata = \"d.csv\"\n{keys}"));
+    desk.write("d.csv", data);
+    desk.run_expecting(&["calibrate", "s.toml", "--out", "o", "--pictures", "svg"], code);
     desk
 }
 
@@ -196,7 +196,7 @@ fn error_bars_smaller_than_marker_are_noted() {
         let data = format!(
             "speed_m_per_s,restitution,restitution_sd\n1,0.603138,{deviation}\n2,0.530915,{deviation}\n3,0.490579,{deviation}\n"
         );
-        let drawn = Drawn(calibrated("", &data, 0).read("o/fit_restitution.svg"));
+        let drawn = SvgPicture(calibrated("", &data, 0).read("o/fit_restitution.svg"));
         let texts = drawn.texts().join(" ").replace('\u{a0}', " ");
         assert_eq!(texts.contains("measured, with its standard deviation"), is_seen, "{texts}");
         assert_eq!(texts.contains("standard deviation below the size of the marker"), !is_seen, "{texts}");
@@ -208,7 +208,7 @@ fn error_bars_smaller_than_marker_are_noted() {
 #[test]
 fn the_law_and_its_limits_have_different_lines() {
     let data = "speed_m_per_s,restitution,restitution_sd\n1,0.61,0.01\n2,0.525,0.01\n3,0.5,0.01\n4,0.46,0.01\n";
-    let drawn = Drawn(calibrated("", data, 0).read("o/residuals.svg"));
+    let drawn = SvgPicture(calibrated("", data, 0).read("o/residuals.svg"));
     let [left, _, right, _] = drawn.boxes()[0];
     let lines: Vec<f64> = drawn
         .lines("#777777")
@@ -226,10 +226,10 @@ fn a_sought_hardness_is_in_vickers() {
     let keys = "noise = { restitution = 0.01 }\n[calibrate.free]\n\"half_space.hardness\" = { from = \"50 HV\", to = \"500 HV\" }\n\
                 \"half_space.youngs_modulus\" = { from = \"50 GPa\", to = \"500 GPa\" }\n";
     let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "").replace("yield_strength = \"345 MPa\"\n", "");
-    let desk = Desk::with(format!("{still}[calibrate]\ndata = \"d.csv\"\n{keys}"));
-    desk.put("d.csv", "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n1,0.603,330,5\n3,0.491,1106,10\n");
-    desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "svg"], 0);
-    let drawn = Drawn(desk.read("o/posterior.svg"));
+    let desk = Sandbox::with(format!("{still}[calibrate]\ndata = \"d.csv\"\n{keys}"));
+    desk.write("d.csv", "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n1,0.603,330,5\n3,0.491,1106,10\n");
+    desk.run_expecting(&["calibrate", "s.toml", "--out", "o", "--pictures", "svg"], 0);
+    let drawn = SvgPicture(desk.read("o/posterior.svg"));
     assert!(has(&drawn, "Half-space hardness [HV]"), "{:?}", drawn.texts());
     let estimate = desk.json("o/summary.json")["keys"][0]["estimate"].as_f64().unwrap();
     // the force in kgf over the area of the pyramid in mm², whose projection is smaller by 2/1.8544
@@ -260,7 +260,7 @@ fn many_curves_have_markers() {
 fn legend_has_frame_and_appears_when_needed() {
     let axes = [Axis::linear("x", ""), Axis::linear("y", "")];
     let lines = vec![Series::line("n = -2.623", vec![(0.0, 0.0), (1.0, 1.0)]).with_style(0)];
-    let with_key = Drawn::of(&Chart::new("t", axes, lines));
+    let with_key = SvgPicture::of(&Chart::new("t", axes, lines));
     let frame = with_key.lines("#E2E2E2").into_iter().filter(|line| line.len() == 5 && line[0] == line[4]).count();
     assert_eq!(frame, 1);
     // with the sign of a number

@@ -76,7 +76,7 @@ fn overrides_replace_alternatives_and_tables_and_remove_keys() {
         let number = quantity.parse(quantity.example.trim_matches('"')).unwrap();
         let need = if own == "impact.drop_height" { "gravity.acceleration=9.81" } else { "solver.method=auto" };
         let input = set(&[need, &format!("{own}={number}")]);
-        assert_eq!((given(&input, own), given(&input, other)), (Some(number), None));
+        assert_eq!((number_of_key(&input, own), number_of_key(&input, other)), (Some(number), None));
     }
     assert_eq!(set(&["half_space={ youngs_modulus = 7e10, poissons_ratio = 0.3 }"]).half_space().yield_strength, None);
     assert_eq!(set(&["half_space.yield_strength=none"]).half_space().yield_strength, None);
@@ -95,7 +95,7 @@ fn a_diameter_is_twice_the_radius() {
 }
 
 /// Keys by how they begin, what each needs beside it, and the line of the steel scenario that it takes the place of.
-const BESIDE: [(&str, &str, &str); 16] = [
+const REQUIRED_LINES: [(&str, &str, &str); 16] = [
     ("sphere.mass", "sphere.mass=7", "density = \"7850 kg/m^3\"\n"),
     ("half_space.hardness", "half_space.hardness=7e9", "yield_strength = \"345 MPa\"\n"),
     ("sphere.hardness", "sphere.hardness=7e9", ""),
@@ -119,10 +119,10 @@ const BESIDE: [(&str, &str, &str); 16] = [
 ];
 
 /// Finds the lines that a key needs beside it, and the line that it takes the place of.
-fn beside(path: &str) -> (Vec<String>, &'static str) {
+fn required_lines(path: &str) -> (Vec<String>, &'static str) {
     let (body, rest) = path.split_once('.').unwrap();
     let is_inner = |begin: &str| ["flow_stress.", "rate."].iter().any(|table| begin.starts_with(table));
-    let found = BESIDE.iter().find(|(begin, ..)| if is_inner(begin) { rest } else { path }.starts_with(begin));
+    let found = REQUIRED_LINES.iter().find(|(begin, ..)| if is_inner(begin) { rest } else { path }.starts_with(begin));
     let Some((begin, needs, without)) = found else { return (Vec::new(), "") };
     let prefix = if is_inner(begin) { format!("{body}.") } else { String::new() };
     let needs = needs.split(" & ").map(|need| format!("{prefix}{need}"));
@@ -143,7 +143,7 @@ fn every_listed_key_is_read_from_file() {
             _ if is_share => 0.25,
             _ => 1.25,
         };
-        let (beside, without) = beside(key.path);
+        let (beside, without) = required_lines(key.path);
         let size = if key.path == "sphere.radius" { "[sphere]" } else { "[sphere]\ndiameter = 1" };
         let text = STEEL.replace("radius = \"5 mm\"\n", "").replace("[sphere]", size);
         let text = if without.is_empty() { text } else { text.replace(without, "") };
@@ -180,19 +180,19 @@ fn key_defaults_match_law_defaults() {
 fn drop_height_sets_speed_without_gravity_in_contact() {
     let text = STEEL.replace("speed = \"3 m/s\"", "drop_height = \"0.5 m\"");
     // standard gravity of the 3rd general conference on weights and measures
-    let fallen = resolve(&text, NONE).unwrap();
+    let fallen = resolve(&text, NO_OVERRIDES).unwrap();
     assert_eq!((fallen.speed(), fallen.forces().gravity), (9.80665_f64.sqrt(), None));
     let gravity = "gravity.acceleration=9.81 m/s^2";
     let scene = resolve(&text, &[gravity]).unwrap();
     // √(2 g h)
     assert_eq!(scene.speed(), 9.81_f64.sqrt());
-    assert_eq!((scene.forces().gravity, given(&scene, "impact.drop_height")), (Some(9.81), Some(0.5)));
+    assert_eq!((scene.forces().gravity, number_of_key(&scene, "impact.drop_height")), (Some(9.81), Some(0.5)));
     let mut input = scene;
     NumericKey::find("gravity.acceleration").unwrap().set_exclusive(&mut input, 4.0);
     assert_eq!(input.speed(), 2.0, "the height stays");
     NumericKey::find("impact.speed").unwrap().set_exclusive(&mut input, 3.0);
     let scene = input;
-    assert_eq!((scene.speed(), given(&scene, "impact.drop_height")), (3.0, None));
+    assert_eq!((scene.speed(), number_of_key(&scene, "impact.drop_height")), (3.0, None));
     assert_eq!(resolve(&text, &[gravity, "impact.drop_height=0"]).unwrap().speed(), 0.0);
     assert_eq!(scene.contact().unwrap().forces().gravity, Some(4.0));
 }

@@ -69,8 +69,8 @@ impl Case {
     }
 
     /// A directory with this text in the file, and the files beside it.
-    fn desk(&self, text: &str) -> Desk {
-        let desk = Desk::with("");
+    fn desk(&self, text: &str) -> Sandbox {
+        let desk = Sandbox::with("");
         std::fs::remove_file(desk.path("s.toml")).unwrap();
         for (name, text) in
             self.beside.iter().map(|(name, text)| (name.as_str(), text.as_str())).chain([(&*self.file, text)])
@@ -87,7 +87,7 @@ impl Case {
         let before = desk.files("");
         let arguments: Vec<&str> =
             command.split(' ').chain(change.overrides.iter().flat_map(|given| ["--set", given])).collect();
-        let output = desk.call(&arguments);
+        let output = desk.run(&arguments);
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{command}, {:?}: {message}", change.parts);
         assert!(output.stdout.is_empty(), "{command}: {}", text(&output.stdout));

@@ -5,14 +5,14 @@ use serde::Deserialize;
 use crate::common::prelude::*;
 
 #[derive(Deserialize)]
-struct Holds {
-    scene: Vec<Scene>,
+struct ExpectedResults {
+    scene: Vec<ExpectedRun>,
 }
 
 /// A scenario, and what its results hold under these settings.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Scene {
+struct ExpectedRun {
     about: String,
     text: String,
     /// Settings, each of which is added to those of every row.
@@ -22,23 +22,23 @@ struct Scene {
 }
 
 /// A run with these settings: what it shows, and its files.
-struct Ran {
-    desk: Desk,
+struct RunResult {
+    desk: Sandbox,
     shown: String,
 }
 
-impl Ran {
+impl RunResult {
     fn new(text: &str, settings: &[&str]) -> Self {
-        let desk = Desk::with(text);
+        let desk = Sandbox::with(text);
         let set = settings.iter().flat_map(|one| one.split(" & ")).filter(|one| !one.is_empty());
         let set: Vec<&str> = set.flat_map(|one| ["--set", one]).collect();
         let run = ["run", "s.toml", "--out", "out", "--pictures", "none"];
-        let (shown, _) = desk.ends(&[&run, &set[..]].concat(), 0);
+        let (shown, _) = desk.run_expecting(&[&run, &set[..]].concat(), 0);
         Self { desk, shown }
     }
 
     /// Whether a column of a file or a value of the summary is there; behind an equals sign stands what it is.
-    fn holds(&self, entry: &str) -> bool {
+    fn contains(&self, entry: &str) -> bool {
         if let Some(words) = entry.strip_prefix("shown: ") {
             return self.shown.contains(words);
         }
@@ -61,13 +61,15 @@ impl Ran {
 
 #[test]
 fn results_contain_exactly_what_applies() {
-    for Scene { about, text, with, rows } in toml::from_str::<Holds>(include_str!("results.toml")).unwrap().scene {
+    for ExpectedRun { about, text, with, rows } in
+        toml::from_str::<ExpectedResults>(include_str!("results.toml")).unwrap().scene
+    {
         let with: Vec<&str> = if with.is_empty() { vec![""] } else { with.iter().map(String::as_str).collect() };
         for (row, with) in rows.iter().flat_map(|row| with.iter().map(move |with| (row, *with))) {
-            let ran = Ran::new(&text, &[with, &row[0]]);
+            let ran = RunResult::new(&text, &[with, &row[0]]);
             for entry in &row[1..] {
                 let (entry, is_there) = entry.strip_prefix('!').map_or((entry.as_str(), true), |entry| (entry, false));
-                assert_eq!(ran.holds(entry), is_there, "{about}, {with} {}: {entry}\n{}", row[0], ran.shown);
+                assert_eq!(ran.contains(entry), is_there, "{about}, {with} {}: {entry}\n{}", row[0], ran.shown);
             }
         }
     }

@@ -9,10 +9,10 @@ const FAILING_ROW: &str = "\n[sweep]\n\"impact.speed\" = [1, 1e-250]\n";
 
 #[test]
 fn failing_file_does_not_stop_next_files() {
-    let desk = Desk::with(STEEL);
-    desk.put("f.toml", format!("{STEEL}{FAILING_ROW}").replace("speed = \"3 m/s\"\n", ""));
-    desk.put("bad.toml", STEEL.replace("5 mm", "5 mn"));
-    let run = |files: &[&str], code| desk.ends(&[&["run"], files, &["--pictures", "none"]].concat(), code).1;
+    let desk = Sandbox::with(STEEL);
+    desk.write("f.toml", format!("{STEEL}{FAILING_ROW}").replace("speed = \"3 m/s\"\n", ""));
+    desk.write("bad.toml", STEEL.replace("5 mm", "5 mn"));
+    let run = |files: &[&str], code| desk.run_expecting(&[&["run"], files, &["--pictures", "none"]].concat(), code).1;
     let said = run(&["f.toml", "bad.toml", "s.toml"], 2);
     assert!(desk.path("plots/s/summary.json").exists() && desk.path("plots/f/summary.json").exists());
     assert!(said.contains("error: 1 of 2 cases have no result") && said.contains("error: bad.toml:2:10"), "{said}");
@@ -23,14 +23,14 @@ fn failing_file_does_not_stop_next_files() {
 
 #[test]
 fn files_of_equal_name_are_refused_first() {
-    let desk = Desk::with("");
-    desk.put("a/s.toml", STEEL);
-    desk.put("b/s.toml", STEEL.replace("3 m/s", "2 m/s"));
-    let said = desk.ends(&["run", "a/s.toml", "b/s.toml"], 2).1;
+    let desk = Sandbox::with("");
+    desk.write("a/s.toml", STEEL);
+    desk.write("b/s.toml", STEEL.replace("3 m/s", "2 m/s"));
+    let said = desk.run_expecting(&["run", "a/s.toml", "b/s.toml"], 2).1;
     assert!(said.contains("a/s.toml and b/s.toml have the same name") && said.contains("its own --out"), "{said}");
     assert!(!desk.path("plots").exists());
     // and --out is for one file
-    let said = desk.ends(&["run", "a/s.toml", "s.toml", "--out", "o"], 2).1;
+    let said = desk.run_expecting(&["run", "a/s.toml", "s.toml", "--out", "o"], 2).1;
     assert!(said.contains("run one file at a time"), "{said}");
 }
 
@@ -44,34 +44,34 @@ fn unknown_columns_are_refused_with_scenario_kind() {
     ] {
         let scenario =
             if kind == "an indentation" { STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") } else { STEEL.into() };
-        let desk = Desk::with(scenario + more);
-        let said = desk.ends(&["run", "s.toml", "--set", columns], 2).1;
+        let desk = Sandbox::with(scenario + more);
+        let said = desk.run_expecting(&["run", "s.toml", "--set", columns], 2).1;
         assert!(said.contains(&format!("this scenario is {kind}: leave it out")), "{said}");
     }
 }
 
 #[test]
 fn too_large_file_is_refused_with_remedy() {
-    let desk = Desk::with(STEEL.replace("[impact]", "flow_stress = { table = \"flow.csv\" }\n\n[impact]"));
-    desk.put("flow.csv", "plastic_strain,stress_Pa\n".to_owned() + &"0.1,400e6\n".repeat(110_000));
-    let said = desk.ends(&["check", "s.toml"], 2).1;
+    let desk = Sandbox::with(STEEL.replace("[impact]", "flow_stress = { table = \"flow.csv\" }\n\n[impact]"));
+    desk.write("flow.csv", "plastic_strain,stress_Pa\n".to_owned() + &"0.1,400e6\n".repeat(110_000));
+    let said = desk.run_expecting(&["check", "s.toml"], 2).1;
     assert!(said.contains("is larger than 1 MiB, the most that is read; leave out lines of it"), "{said}");
     assert!(!said.contains("linspace"), "{said}");
 }
 
 #[test]
 fn deviation_column_without_unit_gets_full_name() {
-    let desk = Desk::with(STEEL);
-    desk.put("d.csv", "speed_m_per_s,dent_depth_m,dent_depth_sd\n3,1e-5,1e-6\n");
-    let said = desk.ends(&["calibrate", "s.toml", "d.csv"], 2).1;
+    let desk = Sandbox::with(STEEL);
+    desk.write("d.csv", "speed_m_per_s,dent_depth_m,dent_depth_sd\n3,1e-5,1e-6\n");
+    let said = desk.run_expecting(&["calibrate", "s.toml", "d.csv"], 2).1;
     assert!(said.contains("`dent_depth_sd` has no unit: write dent_depth_m_sd"), "{said}");
 }
 
 /// A log of a batch job has lines in place of a bar.
 #[test]
 fn progress_is_logged_where_there_is_no_terminal() {
-    let desk = Desk::with("");
-    desk.ends(&["init", "repeat"], 0);
+    let desk = Sandbox::with("");
+    desk.run_expecting(&["init", "repeat"], 0);
     let run = |more: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
         command.current_dir(desk.path("")).env("PLM_IMPACT_LOG_EVERY_MS", "0").args(["run", "repeat.toml"]);
@@ -84,7 +84,7 @@ fn progress_is_logged_where_there_is_no_terminal() {
     assert!(said.lines().any(|line| line.contains("/200 done")), "{said}");
     assert!(!run(&["--quiet"]).contains("/200"));
     // a line a minute: a short run has none
-    let said = desk.ends(&["run", "repeat.toml", "--set", "repeat.impacts=200", "--pictures", "none"], 0).1;
+    let said = desk.run_expecting(&["run", "repeat.toml", "--set", "repeat.impacts=200", "--pictures", "none"], 0).1;
     assert!(!said.contains("/200"), "{said}");
 }
 
@@ -92,14 +92,14 @@ fn progress_is_logged_where_there_is_no_terminal() {
 #[test]
 fn bar_below_logarithmic_axis_is_cut() {
     let drawn = |share: f64| {
-        let desk = Desk::with(STEEL);
+        let desk = Sandbox::with(STEEL);
         let depths = [(0.5, 1.2e-6), (1.0, 3.2e-6), (2.0, 8.0e-6), (4.0, 1.9e-5)];
         let rows = depths.iter().enumerate().map(|(at, (speed, depth))| {
             let sd = depth * if at == 0 { share } else { 0.1 };
             format!("{speed},{depth},{sd}\n")
         });
-        desk.put("d.csv", "speed_m_per_s,dent_depth_m,dent_depth_m_sd\n".to_owned() + &rows.collect::<String>());
-        desk.call(&["calibrate", "s.toml", "d.csv", "--out", "o", "--pictures", "svg"]);
+        desk.write("d.csv", "speed_m_per_s,dent_depth_m,dent_depth_m_sd\n".to_owned() + &rows.collect::<String>());
+        desk.run(&["calibrate", "s.toml", "d.csv", "--out", "o", "--pictures", "svg"]);
         let picture = desk.read("o/fit_dent_depth.svg");
         Document::parse(&picture).unwrap().descendants().filter(|node| node.has_tag_name("polyline")).count()
     };

@@ -50,7 +50,7 @@ fn unknown_unit_gets_suggestion_or_list() {
 
 #[test]
 fn command_lists_units_and_hardness_scales() {
-    let output = Desk::with("").call(&["units"]);
+    let output = Sandbox::with("").run(&["units"]);
     assert_eq!(output.status.code(), Some(0));
     let list = text(&output.stdout);
     for dimension in Dimension::ALL {
@@ -91,7 +91,7 @@ fn values_are_shown_in_si_and_fitting_unit() {
 }
 
 proptest! {
-    #![proptest_config(crate::common::cases(256))]
+    #![proptest_config(crate::common::proptest_config(256))]
 
     #[test]
     fn all_digits_read_back_exactly(value in proptest::num::f64::POSITIVE | proptest::num::f64::NORMAL) {

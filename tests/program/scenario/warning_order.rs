@@ -11,7 +11,7 @@ fn pair(sphere: &str, half_space: &str, more: &str) -> String {
 
 /// The warnings of a check.
 fn warned(text: &str) -> Vec<String> {
-    run::check(&read(text, NONE)).unwrap().warnings
+    run::check(&read(text, NO_OVERRIDES)).unwrap().warnings
 }
 
 const YIELDS: &str = "the sphere yields, which is left out here: e is far too high";
@@ -30,17 +30,17 @@ fn strict_refuses_sphere_that_yields_outside_laws() {
     for (table, first) in tables {
         let text = soft.clone() + table;
         let text = if table.starts_with("[sweep]") { text.replace("speed = 3\n", "") } else { text };
-        let desk = Desk::with(&text);
+        let desk = Sandbox::with(&text);
         let run = ["run", "s.toml", "--out", "out", "--quiet", "--pictures", "none"];
-        let (_, said) = desk.ends(&[&run[..], &["--strict"]].concat(), 1);
+        let (_, said) = desk.run_expecting(&[&run[..], &["--strict"]].concat(), 1);
         assert!(said.starts_with(&format!("warning: {first}")), "{said}");
         assert!(!desk.path("out/summary.json").exists());
-        let (_, said) = desk.ends(&run, 0);
+        let (_, said) = desk.run_expecting(&run, 0);
         assert!(said.starts_with(&format!("warning: {first}")), "{said}");
         assert!(desk.summary()["warnings"][0].as_str().unwrap().starts_with(&first));
     }
     // what is handed to another code says it too
-    let (lines, _) = Desk::with(&soft).ends(&["export", "s.toml", "--to", "lammps"], 0);
+    let (lines, _) = Sandbox::with(&soft).run_expecting(&["export", "s.toml", "--to", "lammps"], 0);
     assert!(lines.starts_with(&format!("# warning: {YIELDS}")), "{lines}");
 }
 

@@ -21,7 +21,7 @@ fn words(page: &str) -> Vec<String> {
 
 #[test]
 fn bench_writes_the_whole_report() {
-    let desk = Desk::with("");
+    let desk = Sandbox::with("");
     let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
     // as on a machine with one core, where two tables share the only thread in turn
     command.env("RAYON_NUM_THREADS", "1").current_dir(desk.path("")).args(["bench", "--quick", "--out", "out"]);

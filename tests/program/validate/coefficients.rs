@@ -4,17 +4,17 @@ use std::collections::BTreeMap;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::independent_law::{CURVES, Second, list};
+use super::independent_law::{CURVES, IndependentLaw, list};
 use crate::common::prelude::*;
 
 type Row = BTreeMap<String, f64>;
 
 /// The laws of the bodies of the five curves, and the points of each from x = 1.7 on, where the first knot is.
-fn curves() -> Vec<(Second, Vec<Row>)> {
+fn curves() -> Vec<(IndependentLaw, Vec<Row>)> {
     let of = |curve: &str| {
         let mut rows = records::<Row>(curve);
         rows.retain(|row| row["delta_over_deltaY"] > 1.7);
-        (Second::of(curve), rows)
+        (IndependentLaw::for_curve(curve), rows)
     };
     CURVES.into_iter().map(of).collect()
 }
@@ -25,7 +25,7 @@ fn smooth(x: f64, kappa: f64) -> (f64, SVector<f64, 6>) {
     let t = |x: f64| ((x / 1.7).ln() / (700.0_f64 / 1.7).ln()).min(1.0);
     let of = |part: usize, power: i32| {
         let weight = if part == 0 { 1.0 } else { kappa * kappa };
-        weight * integral(1.7, x, |x| t(x).powi(power))
+        weight * tanh_sinh_reference(1.7, x, |x| t(x).powi(power))
     };
     let integrals = [of(0, 1), of(0, 2), of(0, 3), of(1, 2), of(1, 3), of(1, 4)];
     (1.7_f64.powf(1.5) + 1.9558 * (x - 1.7), SVector::from(integrals))
@@ -59,7 +59,7 @@ fn force_slopes_follow_from_curves() {
         }
         fitted += matrix.cholesky().unwrap().solve(&right);
     }
-    let off_by = points.iter().map(|(known, integrals, _, law)| off(*law, known + fitted.dot(integrals)));
+    let off_by = points.iter().map(|(known, integrals, _, law)| relative_error(*law, known + fitted.dot(integrals)));
     let largest = off_by.fold(0.0, nan_max);
     assert!(points.len() > 280 && largest < 0.005, "{largest} {fitted}");
 }
@@ -67,12 +67,12 @@ fn force_slopes_follow_from_curves() {
 /// The factors of the geometry are the steps of 1/(1 + (A a_Y/R/0.51)²), a mean over each interval of A a_Y/R.
 #[test]
 fn geometry_factors_follow_one_smooth_law() {
-    let law = Second::of(CURVES[0]);
+    let law = IndependentLaw::for_curve(CURVES[0]);
     let [from, factor] = ["geometry_from", "geometry_factor"].map(|key| list(&law.table, "elastic_approach", key));
     let mut product = 1.0;
     for (pair, factor) in from.windows(2).zip(factor) {
         product *= factor;
-        let mean = integral(pair[0], pair[1], |at| 1.0 / (1.0 + (at / 0.51).powi(2))) / (pair[1] - pair[0]);
+        let mean = tanh_sinh_reference(pair[0], pair[1], |at| 1.0 / (1.0 + (at / 0.51).powi(2))) / (pair[1] - pair[0]);
         assert!((product - mean).abs() < 1.5e-3, "{pair:?}: {product} {mean}");
     }
 }

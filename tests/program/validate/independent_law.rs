@@ -4,7 +4,7 @@ pub const BUILT_IN: &str = include_str!("../../../src/contact/law/plm/coefficien
 
 /// A second implementation of the PLM: plain sums, bisection instead of formulas for roots, the trapezoidal rule
 /// instead of closed forms.
-pub struct Second {
+pub struct IndependentLaw {
     pub table: toml::Table,
     /// Knots of the force, and the two parts of its slopes.
     force: [Vec<f64>; 3],
@@ -16,9 +16,9 @@ pub fn list(table: &toml::Table, of: &str, key: &str) -> Vec<f64> {
     table[of][key].as_array().unwrap().iter().map(|value| value.as_float().unwrap()).collect()
 }
 
-impl Second {
+impl IndependentLaw {
     /// The law of the bodies in the comment lines of a loading curve.
-    pub fn of(curve: &str) -> Self {
+    pub fn for_curve(curve: &str) -> Self {
         let value = |key: &str| -> f64 {
             let line = curve.lines().find_map(|line| line.strip_prefix(&format!("# {key} = "))).unwrap();
             line.split(' ').next().unwrap().parse().unwrap()

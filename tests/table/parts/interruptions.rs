@@ -3,11 +3,11 @@
 use std::process::Output;
 
 use super::*;
-use crate::signalled;
+use crate::output_after_signal;
 
 #[test]
 fn concurrent_writers_succeed() {
-    let desk = Desk::with(random());
+    let desk = Sandbox::with(random());
     let kinds: Vec<(Option<u32>, Vec<&str>)> =
         FORMATS.iter().flat_map(|format| [None, Some(600)].map(|rows| (rows, vec!["--format", *format]))).collect();
     for (rows, more) in &kinds {
@@ -31,7 +31,7 @@ fn concurrent_writers_succeed() {
 /// with an error.
 #[test]
 fn failed_write_ends_with_1_without_leftovers() {
-    let desk = Desk::with(random());
+    let desk = Sandbox::with(random());
     let script = "trap '' XFSZ; ulimit -f 400; exec \"$0\" run s.toml --out out --quiet";
     let mut command = Command::new("bash");
     let output = command.args(["-c", script, PROGRAM]).current_dir(desk.path("")).output().unwrap();
@@ -44,7 +44,7 @@ fn failed_write_ends_with_1_without_leftovers() {
 fn full_disk_fails_and_the_command_resumes() {
     for format in FORMATS {
         // with all columns, or the disk is not filled
-        let desk = Desk::with(random().replace("12000", "90000").replace("columns =", "#columns ="));
+        let desk = Sandbox::with(random().replace("12000", "90000").replace("columns =", "#columns ="));
         fs::create_dir(desk.path("disk")).unwrap();
         let mount = |options: &str| {
             Command::new("mount").args(["-t", "tmpfs", "-o", options, "tmpfs"]).arg(desk.path("disk")).output()
@@ -69,7 +69,7 @@ fn full_disk_fails_and_the_command_resumes() {
 /// On many clusters the file system knows no locks, and a summary says that the files beside it are of the same run.
 #[test]
 fn nothing_is_locked_and_the_summary_comes_last() {
-    let desk = Desk::with(STEEL);
+    let desk = Sandbox::with(STEEL);
     let trace = |arguments: &[&str]| {
         let mut command = Command::new("strace");
         command
@@ -100,14 +100,14 @@ fn signals_between_slow_rows_are_reported_correctly() {
             (20_000, Some(1250), "out", "the same command starts anew"),
             (100_000_000, None, "out/parts", "goes on from the parts that are whole"),
         ] {
-            let desk = Desk::with(format!(
+            let desk = Sandbox::with(format!(
                 "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 20000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = {points} }}\n"
             ));
             let child = run(&desk, "out", rows, &["--format", format, "--threads", "1"]).spawn().unwrap();
             // the first hidden file is begun when the first rows are done
             let is_begun = |name: &String| name.starts_with('.') && !name.contains("trial");
             let is_at_work = || desk.path(folder).exists() && desk.files(folder).iter().any(is_begun);
-            let output = signalled(child, is_at_work, signal);
+            let output = output_after_signal(child, is_at_work, signal);
             let message = text(&output.stderr);
             assert_eq!(output.status.code(), Some(want), "{format}: {message}");
             assert!(message.contains("interrupted") && message.contains(says), "{message}");
@@ -118,21 +118,21 @@ fn signals_between_slow_rows_are_reported_correctly() {
 /// A row that takes longer than the patience with a signal: the table is abandoned, and nothing of it is left.
 #[test]
 fn an_abandoned_table_leaves_nothing() {
-    let desk = Desk::with(format!(
+    let desk = Sandbox::with(format!(
         "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 1000000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = 4000 }}\n"
     ));
     let mut command = run(&desk, "out/deep", Some(250), &["--threads", "1"]);
     let child = command.env("PLM_IMPACT_PATIENCE_MS", "0").spawn().unwrap();
     let is_begun = |name: &String| name.starts_with(".table");
     let is_at_work = || desk.path("out/deep").exists() && desk.files("out/deep").iter().any(is_begun);
-    let output = signalled(child, is_at_work, "-INT");
+    let output = output_after_signal(child, is_at_work, "-INT");
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
     assert!(!desk.path("out").exists(), "{:?}", desk.files("out/deep"));
 }
 
 #[test]
 fn parts_of_no_rows_are_no_parts() {
-    let desk = Desk::with(random().replace("12000", "8"));
+    let desk = Sandbox::with(random().replace("12000", "8"));
     ends(run(&desk, "out", Some(0), &[]), 0);
     assert_eq!(desk.files("out"), ["summary.json", "table.csv"]);
 }

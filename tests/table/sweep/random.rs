@@ -94,8 +94,8 @@ const SIZES: &str =
 #[test]
 fn named_columns_have_quantiles_and_histograms() {
     let asked = "[output]\ncolumns = [\"contact_time_s\"]\npicture = [\"dent_diameter_m\"]\n";
-    let desk = Desk::with(format!("{STEEL}{SIZES}{asked}"));
-    let output = desk.call(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
+    let desk = Sandbox::with(format!("{STEEL}{SIZES}{asked}"));
+    let output = desk.run(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let said = text(&output.stdout);
     assert!(said.contains(" in all cases, as it does not depend on sphere.radius here\n"), "{said}");
@@ -133,14 +133,14 @@ fn named_columns_have_quantiles_and_histograms() {
 /// A column without scatter has no histogram, whose one bar would say nothing.
 #[test]
 fn a_constant_column_has_no_histogram() {
-    let desk = Desk::with(format!("{STEEL}{SIZES}"));
-    let output = desk.call(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
+    let desk = Sandbox::with(format!("{STEEL}{SIZES}"));
+    let output = desk.run(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
     assert_eq!(output.status.code(), Some(0));
     assert!(desk.files("out").iter().all(|name| !name.ends_with("svg")), "{:?}", desk.files("out"));
     // a scatter of the strength does change e
     let strengths = "[monte_carlo]\nsamples = 50\nseed = 2\n\"half_space.yield_strength\" = { uniform = [3e8, 4e8] }\n";
-    let desk = Desk::with(format!("{STEEL}{strengths}"));
-    let output = desk.call(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
+    let desk = Sandbox::with(format!("{STEEL}{strengths}"));
+    let output = desk.run(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
     assert!(!text(&output.stdout).contains("does not depend"));
     assert!(desk.files("out").contains(&"restitution_histogram.svg".to_owned()));
 }

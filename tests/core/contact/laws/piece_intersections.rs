@@ -99,7 +99,7 @@ fn where_nothing_crosses_the_law_has_no_answer() {
 }
 
 proptest! {
-    #![proptest_config(crate::common::cases(300))]
+    #![proptest_config(crate::common::proptest_config(300))]
 
     #[test]
     fn a_crossed_force_never_falls(

@@ -99,7 +99,7 @@ fn tabulated_fully_plastic_dents_use_half_the_pressure() {
         assert!(dent(radius) < tabulated - 0.03);
         let pressure = peak.force * bodies.yield_point.force
             / (std::f64::consts::PI * (radius * bodies.yield_point.contact_radius).powi(2));
-        assert!(off(pressure, 3.0 * bodies.yield_point.strength) < 1e-12);
+        assert!(relative_error(pressure, 3.0 * bodies.yield_point.strength) < 1e-12);
     }
 }
 

@@ -4,8 +4,8 @@ use plm_impact::impact::indentation::SetPoint::Indentation as To;
 
 use crate::common::prelude::*;
 
-fn pressed(law: &LawChoice) -> StaticContact {
-    let (sphere, half_space) = Scene::case_3().parts();
+fn contact_under_law(law: &LawChoice) -> StaticContact {
+    let (sphere, half_space) = Scene::case_3().bodies();
     StaticContact::try_new(&sphere, &half_space, law.get()).unwrap()
 }
 
@@ -13,14 +13,14 @@ fn pressed(law: &LawChoice) -> StaticContact {
 /// that ends there is refused by its number; a step that passes through is allowed.
 #[test]
 fn step_beyond_range_of_law_is_named() {
-    let slow = pressed(&LawChoice::from_name("stronge").unwrap());
+    let slow = contact_under_law(&LawChoice::from_name("stronge").unwrap());
     let length = slow.pair().yield_point.unwrap().indentation;
     let error = slow.indent(&[To(0.5 * length), To(1.5 * length)], None).unwrap_err();
     assert!(matches!(error, IndentationError::Outside { step: 2, .. }), "{error:?}");
     assert!(error.to_string().starts_with("step 2: the law has no answer"), "{error}");
     slow.indent(&[To(0.5 * length), To(30.0 * length)], Some(100)).unwrap();
     // a law without loading is refused
-    let (sphere, half_space) = Scene::case_3().parts();
+    let (sphere, half_space) = Scene::case_3().bodies();
     let brake = LawChoice::from_name("brake").unwrap();
     assert!(matches!(StaticContact::try_new(&sphere, &half_space, brake.get()), Err(IndentationError::Law(_))));
 }

@@ -35,9 +35,12 @@ fn sphere_released_at_rest_falls_at_any_tolerance() {
                     let exact = exact_solutions::solve(ground, speed, &forces);
                     let (got, want) = (outcome.unloading.peak.elastic_approach, exact.unloading.peak.elastic_approach);
                     let at = format!("n = {n}, w = {weight}, {share} at {tolerance:e}");
-                    assert!(off(got, want) < 10.0 * tolerance + 1e-12, "{at}: {got} {want}");
-                    assert!(weight > 0.4 || off(want, deepest) < 10.0 * share + 1e-12, "{at}: {want} {deepest}");
-                    assert!(off(outcome.loading_time, exact.loading_time) < 10.0 * tolerance + 1e-9, "{at}");
+                    assert!(relative_error(got, want) < 10.0 * tolerance + 1e-12, "{at}: {got} {want}");
+                    assert!(
+                        weight > 0.4 || relative_error(want, deepest) < 10.0 * share + 1e-12,
+                        "{at}: {want} {deepest}"
+                    );
+                    assert!(relative_error(outcome.loading_time, exact.loading_time) < 10.0 * tolerance + 1e-9, "{at}");
                 }
             }
         }

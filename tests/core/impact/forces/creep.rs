@@ -4,7 +4,7 @@
 
 use std::cell::Cell;
 
-use super::{GRAVITY, fate, gravity, under};
+use super::{GRAVITY, contact_with_forces, fate, gravity};
 use crate::common::prelude::*;
 
 const LOOSE: [f64; 3] = [1e-2, 1e-3, 1e-4];
@@ -30,7 +30,7 @@ fn any_creep() -> impl Strategy<Value = (Scene, f64, Forces)> {
         |(log_r, log_e, poissons_ratio, log_strength, height, log_zeta, is_viscous)| {
             let modulus = 10_f64.powf(log_e);
             let scene = soft(10_f64.powf(log_r), modulus, poissons_ratio, modulus * 10_f64.powf(log_strength));
-            let free = under(&scene, gravity(GRAVITY)).closed_form(0.0).ok()?;
+            let free = contact_with_forces(&scene, gravity(GRAVITY)).closed_form(0.0).ok()?;
             let at_rest = free.forces_result.unwrap().static_indentation.unwrap();
             let zeta = 10_f64.powf(log_zeta);
             let damping = if is_viscous {
@@ -41,7 +41,7 @@ fn any_creep() -> impl Strategy<Value = (Scene, f64, Forces)> {
             let speed = (2.0 * GRAVITY * height * at_rest).sqrt();
             let forces = Forces { gravity: Some(GRAVITY), damping: Some(damping), ..Forces::default() };
             // without damping it goes deepest
-            under(&scene, gravity(GRAVITY)).closed_form(speed).ok()?;
+            contact_with_forces(&scene, gravity(GRAVITY)).closed_form(speed).ok()?;
             Some((scene, speed, forces))
         },
     )
@@ -50,7 +50,7 @@ fn any_creep() -> impl Strategy<Value = (Scene, f64, Forces)> {
 /// Whether the errors of peak and dent, over the peak indentation, are below ten times the tolerance.
 fn is_right(peak: f64, dent: f64, fine: &Impact, tolerance: f64) -> bool {
     let missed = (dent - fine.residual_indentation).abs() / fine.peak_indentation;
-    off(peak, fine.peak_indentation) < 10.0 * tolerance && missed < 10.0 * tolerance
+    relative_error(peak, fine.peak_indentation) < 10.0 * tolerance && missed < 10.0 * tolerance
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn overdamped_sphere_sinks_to_static_equilibrium() {
             // at rest the force of the law is the weight; the run ends one part in a thousand before it
             let at_rest = impact.forces_result.unwrap().static_indentation.unwrap();
             assert_eq!(fate(&impact), ImpactEnd::Captured);
-            assert!(off(impact.peak_indentation, 0.999 * at_rest) < 1e-12, "{at}");
+            assert!(relative_error(impact.peak_indentation, 0.999 * at_rest) < 1e-12, "{at}");
         }
     }
 }
@@ -76,8 +76,8 @@ fn overdamped_sphere_sinks_to_static_equilibrium() {
 #[test]
 fn a_creep_has_no_false_turning_point() {
     let refused = Cell::new(0);
-    let judged = checked(200, &any_creep(), |(scene, speed, forces)| {
-        let contact = under(&scene, forces);
+    let judged = check_property(200, &any_creep(), |(scene, speed, forces)| {
+        let contact = contact_with_forces(&scene, forces);
         let fine = contact.impact(speed, &solver(Method::Rk8, 1e-11), None).unwrap();
         for tolerance in LOOSE {
             for (method, _) in STEPPING {
@@ -110,7 +110,7 @@ fn hardly_oscillating_sphere_comes_to_rest() {
     let scene = soft(2.3e-3, 8.72e6, 0.368, 121e3);
     for zeta in [0.8, 0.85, 0.89, 0.895, 0.898_116, 0.899_9, 0.91] {
         let forces = Forces { gravity: Some(GRAVITY), damping: Some(Damping::Viscous(zeta)), ..Forces::default() };
-        let contact = under(&scene, forces);
+        let contact = contact_with_forces(&scene, forces);
         let fine = contact.impact(0.0, &solver(Method::Rk8, 1e-11), None).unwrap();
         for tolerance in LOOSE {
             for (method, _) in STEPPING {
@@ -128,7 +128,7 @@ fn hardly_oscillating_sphere_comes_to_rest() {
 fn a_swing_below_the_tolerance_has_its_turn() {
     let scene = soft(1.792_464_483_455_484e-3, 1_480_566.250_640_734, 0.080_442_706_793_612_1, 1_912.790_080_706_852_5);
     let damping = Some(Damping::HuntCrossley(148.115_288_895_800_97));
-    let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
+    let contact = contact_with_forces(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
     for (method, _) in STEPPING {
         for tolerance in LOOSE {
             let impact = contact.impact(0.0, &solver(method, tolerance), None).unwrap();
@@ -145,7 +145,8 @@ fn a_swing_below_the_tolerance_has_its_turn() {
 /// energy ledger did not show it.
 #[test]
 fn trace_with_nan_row_is_error() {
-    let contact = under(&Scene::steel(), Forces { damping: Some(Damping::Viscous(1e20)), ..Forces::default() });
+    let contact =
+        contact_with_forces(&Scene::steel(), Forces { damping: Some(Damping::Viscous(1e20)), ..Forces::default() });
     match contact.impact(3.0, &solver(Method::Rk8, 1e-10), Some(400)) {
         Err(ImpactError::Integration(IntegrationError::NotFinite { .. })) => {}
         Ok(impact) => assert!(impact.energy.drift.is_finite() && impact.trace.iter().all(|row| row.force.is_finite())),
@@ -160,7 +161,7 @@ fn leg_keeps_step_limit_over_all_calls() {
     let scene = soft(20e-3, 20e6, 0.45, 100e3);
     for (chi, method) in [(1e6, Method::Rk8), (1e9, Method::Rk8), (1e6, Method::Dopri5), (1e9, Method::Dop853)] {
         let damping = Some(Damping::HuntCrossley(chi));
-        let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
+        let contact = contact_with_forces(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
         match contact.impact(1.0, &solver(method, 1e-6), None) {
             // one leg for each piece of the law, and one for the rebound
             Ok(impact) => assert!(impact.stats.steps + impact.stats.rejected < 1_000_000, "{}", method.name()),

@@ -2,7 +2,7 @@
 
 use plm_impact::impact::solve::motion;
 
-use super::{gravity, under, viscous};
+use super::{contact_with_forces, gravity, viscous};
 use crate::common::prelude::*;
 use plm_impact::numerics::ode::DampingCoefficients;
 
@@ -21,15 +21,17 @@ fn step_just_before_separation_does_not_miss_it() {
     let (sphere, half_space, yield_strength) = (body, body, Some(50e3));
     let scene = Scene { radius: 1.0, density: 5000.0, sphere, half_space, yield_strength, exponent };
     let damping = Some(Damping::Viscous(0.000_199_150_842_193_006_05));
-    let contact =
-        under(&scene, Forces { gravity: Some(0.010_903_512_061_853_768 / SLOWER), damping, ..Forces::default() });
+    let contact = contact_with_forces(
+        &scene,
+        Forces { gravity: Some(0.010_903_512_061_853_768 / SLOWER), damping, ..Forces::default() },
+    );
     let tolerance = 10_f64.powf(-10.537_586_821_357_346);
     let speed = 8.382_852_251_562_502 / SLOWER;
     let fine = contact.impact(speed, &solver(Method::Rk8, 1e-13), None).unwrap();
     let got = contact.impact(speed, &solver(Method::Dopri5, tolerance), None).unwrap();
     assert!(got.energy.drift < 1e3 * tolerance, "{:e}", got.energy.drift);
-    assert!(off(got.restitution, fine.restitution) < 1e3 * tolerance);
-    assert!(off(got.contact_time, fine.contact_time) < 1e3 * tolerance);
+    assert!(relative_error(got.restitution, fine.restitution) < 1e3 * tolerance);
+    assert!(relative_error(got.contact_time, fine.contact_time) < 1e3 * tolerance);
     assert!(!got.warnings.iter().any(|warning| warning.kind == WarningKind::EnergyImbalance));
 }
 
@@ -62,7 +64,7 @@ fn error_estimate_sees_force_under_weak_gravity() {
     for (scene, speed, acceleration, zeta, tolerance) in cases {
         let (speed, acceleration) = (speed / SLOWER, acceleration / SLOWER);
         let forces = Forces { gravity: Some(acceleration), ..viscous(zeta) };
-        let contact = under(&scene, forces);
+        let contact = contact_with_forces(&scene, forces);
         // also at similar tolerances, because all earlier steps decide which step goes wrong
         for factor in [0.98, 0.99, 0.998, 1.0, 1.002, 1.01, 1.02] {
             for samples in [None, Some(30)] {
@@ -90,12 +92,12 @@ fn weight_above_force_allows_no_turning_point() {
         yield_strength: Some(86_008_340.191_800_48),
         exponent: UnloadingExponent::Paper,
     };
-    let contact = under(&scene, gravity(15_858.836_342_554_348));
+    let contact = contact_with_forces(&scene, gravity(15_858.836_342_554_348));
     let speed = 0.141_356_929_763_657_5;
     let exact = contact.closed_form(speed).unwrap();
     for tolerance in [1e-3, 9.85e-4, 5e-4, 1e-4, 1e-6] {
         let impact = contact.impact(speed, &solver(Method::Rk8, tolerance), Some(10)).unwrap();
-        assert!(off(impact.peak_indentation, exact.peak_indentation) < 10.0 * tolerance, "{tolerance:e}");
+        assert!(relative_error(impact.peak_indentation, exact.peak_indentation) < 10.0 * tolerance, "{tolerance:e}");
         assert!(impact.energy.drift < 10.0 * tolerance, "{tolerance:e}: {:e}", impact.energy.drift);
     }
 }
@@ -120,7 +122,7 @@ fn undamped_step_limit_does_not_advise_less_damping() {
 #[test]
 fn stiff_damping_warns() {
     let says = |chi: f64| {
-        let contact = under(&Scene::steel(), super::hunt_crossley(chi));
+        let contact = contact_with_forces(&Scene::steel(), super::hunt_crossley(chi));
         let impact = contact.impact(3.0, &solver(Method::Rk8, 1e-6), None).unwrap();
         impact.warnings.iter().any(|warning| warning.kind == WarningKind::StiffDamping)
     };

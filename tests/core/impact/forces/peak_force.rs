@@ -1,6 +1,6 @@
 //! The largest contact force under damping: it comes before the deepest point, and is found as an event.
 
-use super::{hunt_crossley, under, viscous};
+use super::{contact_with_forces, hunt_crossley, viscous};
 use crate::common::prelude::*;
 
 /// The largest force among the rows of a fine trace.
@@ -17,8 +17,8 @@ fn peak_force_is_maximum_over_motion() {
     let contact = Scene::steel().contact_by(&nine_pieces()).with_forces(forces);
     let speed = 9.81_f64.sqrt();
     let impact = contact.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
-    assert!(off(impact.peak_force, 1_735.450_320) < 1e-8, "{}", impact.peak_force);
-    assert!(off(impact.force_at_peak_indentation, 379.7) < 1e-3, "{}", impact.force_at_peak_indentation);
+    assert!(relative_error(impact.peak_force, 1_735.450_320) < 1e-8, "{}", impact.peak_force);
+    assert!(relative_error(impact.force_at_peak_indentation, 379.7) < 1e-3, "{}", impact.force_at_peak_indentation);
     assert_eq!(contact.row(speed, &Solver::AUTO).unwrap().peak_force, impact.peak_force);
 }
 
@@ -38,14 +38,14 @@ fn it_is_the_maximum_of_a_fine_trace() {
                 hunt_crossley(20.0 / speed),
                 Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.3)), ..Forces::default() },
             ] {
-                let contact = under(&scene, forces);
+                let contact = contact_with_forces(&scene, forces);
                 let (of_trace, largest) = largest_of_trace(&contact, speed);
                 let name = format!("{forces:?} at {speed}: {of_trace} {largest}");
                 // near its maximum the force is a parabola: a four-thousandth of the contact beside it misses 1e-5 to 1e-4. A
                 // viscous force jumps up at a knot, and falls from there
                 let jumps = matches!(forces.damping, Some(Damping::Viscous(_)));
                 assert!(largest >= of_trace * (1.0 - 1e-9), "{name}");
-                assert!(off(of_trace, largest) < if jumps { 2e-3 } else { 1e-4 }, "{name}");
+                assert!(relative_error(of_trace, largest) < if jumps { 2e-3 } else { 1e-4 }, "{name}");
             }
         }
     }

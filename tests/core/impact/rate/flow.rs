@@ -31,7 +31,7 @@ fn rate_of_one_body_keeps_yielding_body() {
         let StrainRateResult { factor, factor_at_turn, .. } = impact.strain_rate_result.unwrap();
         assert!(factor > 1.6 && factor > factor_at_turn && factor_at_turn > 1.3, "{factor} {factor_at_turn}");
         let point = ball_on_wall(strength).at_speed(3.0).unwrap().pair().yield_point.unwrap();
-        assert!(point.yield_partition.is_sphere && off(point.strength, 300e6 * factor) < 1e-15);
+        assert!(point.yield_partition.is_sphere && relative_error(point.strength, 300e6 * factor) < 1e-15);
     }
 }
 
@@ -74,7 +74,7 @@ fn relaxed_metal_recovers_at_most_work_spent() {
         [impact]
         speed = 19.19239109127876
     ";
-    let contact = contact(text, NONE);
+    let contact = contact(text, NO_OVERRIDES);
     for method in [Method::ClosedForm, Method::Rk8, Method::Dop853] {
         let impact = contact.impact(19.192_391_091_278_76, &solver(method, 1e-12), None).unwrap();
         assert!((impact.restitution - 1.0).abs() < 1e-11, "{method:?}: {}", impact.restitution);
@@ -86,7 +86,7 @@ fn relaxed_metal_recovers_at_most_work_spent() {
 /// Just beyond first yield at the turn the force does not rise there.
 #[test]
 fn the_force_never_rises_where_the_metal_relaxes() {
-    let plain = scene(STEEL, NONE);
+    let plain = scene(STEEL, NO_OVERRIDES);
     for rate in [COOK, COWPER] {
         let contact = rated(rate, &[]).contact().unwrap();
         for i in 1..400 {
@@ -125,7 +125,7 @@ fn plate_keeps_momentum_at_relaxation() {
             let rows = impact.trace.windows(2);
             let impulse: f64 = rows.map(|two| (two[1].time - two[0].time) * 0.5 * (two[0].force + two[1].force)).sum();
             let momentum = contact.mass() * (1.0 + impact.restitution) * 3.0;
-            assert!(off(impulse, momentum) < 1e-6, "{impulse} {momentum}");
+            assert!(relative_error(impulse, momentum) < 1e-6, "{impulse} {momentum}");
             let shares = impact.recovered_fraction() + impact.plastic_fraction + impact.plate_loss_fraction().unwrap();
             assert!((shares - 1.0).abs() < 1e-9 && impact.energy.drift < 1e-9, "{shares} {}", impact.energy.drift);
         }

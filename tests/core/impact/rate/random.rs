@@ -59,7 +59,7 @@ fn series() -> impl Strategy<Value = Drawn> {
 #[test]
 fn rate_creates_no_energy_and_keeps_dents() {
     let (relaxed, reloaded) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
-    let judged = checked(400, &series(), |(keys, shots)| {
+    let judged = check_property(400, &series(), |(keys, shots)| {
         let contact = contact(STEEL, &keys);
         let slowest = contact.yield_speed().unwrap();
         let mut spot = Spot::new();

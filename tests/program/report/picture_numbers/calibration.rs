@@ -20,7 +20,7 @@ fn calibration() -> Drawing {
     let of =
         |kind, picture, form, only, column| shown(kind, picture, 0, form, columns("residuals", only, [SPEED, column]));
     let (e, force) = (&[("quantity", "restitution")], &[("quantity", "peak_force")]);
-    let bars = |desk: &Desk| -> Points {
+    let bars = |desk: &Sandbox| -> Points {
         let ends = |row: TableRow| {
             [-1.0, 1.0].map(|side| (cell(&row, SPEED), cell(&row, "measured") + side * cell(&row, "sd")))
         };
@@ -85,8 +85,8 @@ fn calibration_pictures_show_numbers_of_tables() {
 }
 
 /// At the outline of both regions the sum of squares, computed anew, is above the least one by what two normal keys give.
-fn regions_end_where_the_sum_of_squares_has_risen_enough(desk: &Desk) {
-    let drawn = Drawn(desk.read("out/posterior.svg"));
+fn regions_end_where_the_sum_of_squares_has_risen_enough(desk: &Sandbox) {
+    let drawn = SvgPicture(desk.read("out/posterior.svg"));
     let [x, y] = drawn.scales(0);
     let summary = desk.summary();
     let best = [0, 1].map(|key| summary["keys"][key]["estimate"].as_f64().unwrap());

@@ -92,7 +92,7 @@ fn sweeps() -> Vec<Drawing> {
 }
 
 /// The counts of e in 60 even bins from the least to the largest, at the middle of each.
-fn bins(desk: &Desk) -> Points {
+fn bins(desk: &Sandbox) -> Points {
     let values = numbers(&desk.read("out/table.csv"), "restitution");
     let (low, high) = values.iter().fold((1.0_f64, 0.0_f64), |(low, high), e| (low.min(*e), high.max(*e)));
     let edge = |i: u32| low + (high - low) * f64::from(i) / 60.0;
@@ -105,7 +105,7 @@ fn repeats() -> Vec<Drawing> {
     let series = |panel, color, column| {
         shown("repeat::impacts", "impacts", panel, Line(color), columns("impacts", &[], ["impact", column]))
     };
-    let first_loop = |desk: &Desk| -> Points {
+    let first_loop = |desk: &Sandbox| -> Points {
         let mut rows = table(desk, "trace", &[("impact", "1")]);
         // a dashed line may end with a gap
         rows.retain(|row| cell(row, "force_N") > 20.0);
@@ -113,7 +113,7 @@ fn repeats() -> Vec<Drawing> {
     };
     // at rest on the way up and down: half the time of flight after the rebound, at the height of its energy
     let tops = |along: &'static str| {
-        move |desk: &Desk| -> Points {
+        move |desk: &Sandbox| -> Points {
             let rows = table(desk, "impacts", &[]);
             let top = |pair: &[TableRow]| {
                 let speed = cell(&pair[0], "rebound_speed_m_per_s");
@@ -122,7 +122,7 @@ fn repeats() -> Vec<Drawing> {
             rows.windows(2).map(top).chain(rows.iter().map(|row| (cell(row, along), 0.0))).collect()
         }
     };
-    let hits = |desk: &Desk| table(desk, "impacts", &[]).iter().map(|row| (cell(row, "position_m"), 0.0)).collect();
+    let hits = |desk: &Sandbox| table(desk, "impacts", &[]).iter().map(|row| (cell(row, "position_m"), 0.0)).collect();
     vec![
         drawing(
             format!("{}[repeat]\nspeeds = [1, 2, 5, 3]\nspot = \"fresh\"\n", still()),
@@ -185,9 +185,9 @@ fn run_pictures_show_numbers_of_tables() {
 #[test]
 fn map_colours_are_values_of_table() {
     let axes = "\"impact.speed\" = { linspace = [1, 5], points = 9 }\n\"half_space.yield_strength\" = { linspace = [2e8, 6e8], points = 9 }\n";
-    let desk = Desk::with(format!("{STEEL}[sweep]\n{axes}"));
-    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
-    let drawn = Drawn(desk.read("out/restitution_map.svg"));
+    let desk = Sandbox::with(format!("{STEEL}[sweep]\n{axes}"));
+    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
+    let drawn = SvgPicture(desk.read("out/restitution_map.svg"));
     let ([x, y], scale, [left, _, right, _]) = (drawn.scales(0), drawn.upward(1), drawn.boxes()[1]);
     let steps: Vec<([f64; 4], [u8; 3])> =
         drawn.rectangles().into_iter().filter(|(ends, _)| ends[0] > left - 10.0 && ends[2] < right + 10.0).collect();

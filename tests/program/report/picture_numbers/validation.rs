@@ -10,19 +10,23 @@ fn case(row: &TableRow) -> (&str, f64) {
 }
 
 /// The law of a quantity of the comparisons whose case begins so, each with its case.
-fn of_law(desk: &Desk, quantity: &'static str, begin: &str) -> Vec<TableRow> {
+fn of_law(desk: &Sandbox, quantity: &'static str, begin: &str) -> Vec<TableRow> {
     let mut rows = table(desk, "validation", &[("quantity", quantity)]);
     rows.retain(|row| case(row).0.starts_with(begin));
     rows
 }
 
 /// The restitution of the law over the depth of load cycles.
-fn cycles(quantity: &'static str, begin: &'static str) -> impl Fn(&Desk) -> Points + Send + Sync {
+fn cycles(quantity: &'static str, begin: &'static str) -> impl Fn(&Sandbox) -> Points + Send + Sync {
     move |desk| of_law(desk, quantity, begin).iter().map(|row| (case(row).1, cell(row, "law"))).collect()
 }
 
 /// The restitution of the law over another of its results for the same cases.
-fn crossed(across: &'static str, upward: &'static str, begin: &'static str) -> impl Fn(&Desk) -> Points + Send + Sync {
+fn crossed(
+    across: &'static str,
+    upward: &'static str,
+    begin: &'static str,
+) -> impl Fn(&Sandbox) -> Points + Send + Sync {
     move |desk| {
         let [x, y] = [across, upward].map(|quantity| of_law(desk, quantity, begin));
         x.iter().zip(&y).map(|(x, y)| (cell(x, "law"), cell(y, "law"))).collect()
@@ -53,7 +57,7 @@ fn load_cycles() -> Vec<Shown> {
 }
 
 /// The peak of an unloading of case 3, and with its curve and its dent, in SI units.
-fn unloading(run: &'static str, cycle: &'static str, desk: &Desk) -> [Points; 2] {
+fn unloading(run: &'static str, cycle: &'static str, desk: &Sandbox) -> [Points; 2] {
     let point = Scene::case_3().contact().pair().yield_point.unwrap();
     let only = [("run", run), ("cycle", cycle)];
     let peak = &table(desk, "fe_unloading", &only)[0];
@@ -67,7 +71,7 @@ fn unloading(run: &'static str, cycle: &'static str, desk: &Desk) -> [Points; 2]
 
 fn unloadings() -> Vec<Shown> {
     let of = |(picture, run, cycle): (&'static str, &'static str, &'static str)| {
-        let rows = move |which: usize| move |desk: &Desk| unloading(run, cycle, desk)[which].clone();
+        let rows = move |which: usize| move |desk: &Sandbox| unloading(run, cycle, desk)[which].clone();
         // the law of the paper unloads from the peak of the finite elements
         [(Through(BLUE), 0), (Marks(BLACK), 1)]
             .map(|(form, which)| shown("figure_10::chart", picture, 0, form, rows(which)))
@@ -88,15 +92,16 @@ fn impacts() -> Vec<Shown> {
             (0, GREEN, "half_space_indentation_m"),
         ];
         parts.into_iter().flat_map(move |(panel, color, column)| {
-            let elements = move |desk: &Desk| -> Points {
+            let elements = move |desk: &Sandbox| -> Points {
                 let rows = table(desk, "fe_dynamic_curves", &[("case", name)]);
                 rows.iter().step_by(4).map(|row| (cell(row, column), cell(row, "force_N"))).collect()
             };
             // the scenario of this impact
-            let law = move |_: &Desk| -> Points {
+            let law = move |_: &Sandbox| -> Points {
                 let text = format!("scenarios/dynamic-fe-{}.toml", name.to_lowercase());
                 let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(text);
-                let trace = file_of(&outcome(&read(&fs::read_to_string(path).unwrap(), NONE)), "trace.csv");
+                let trace =
+                    text_of_file(&outcome(&read(&fs::read_to_string(path).unwrap(), NO_OVERRIDES)), "trace.csv");
                 numbers(&trace, column).into_iter().zip(numbers(&trace, "force_N")).collect()
             };
             [
@@ -139,11 +144,11 @@ fn metals() -> Vec<Shown> {
 
 fn rebounds() -> Vec<Shown> {
     let leeb =
-        |form, rows: fn(&Desk) -> Points| shown("pictures::leeb", "measured-leeb-tensile-strength", 0, form, rows);
-    let oblique = |form, rows: Box<dyn Fn(&Desk) -> Points + Send + Sync>| {
+        |form, rows: fn(&Sandbox) -> Points| shown("pictures::leeb", "measured-leeb-tensile-strength", 0, form, rows);
+    let oblique = |form, rows: Box<dyn Fn(&Sandbox) -> Points + Send + Sync>| {
         shown("pictures::oblique", "oblique-alumina-on-glass", 0, form, rows)
     };
-    let law = |desk: &Desk| -> Points {
+    let law = |desk: &Sandbox| -> Points {
         let rows = table(desk, "validation", &[("quantity", "oblique: tangential restitution")]);
         rows.iter().map(|row| (row["case"].trim_end_matches(" deg").parse().unwrap(), cell(row, "law"))).collect()
     };
@@ -168,8 +173,8 @@ fn rebounds() -> Vec<Shown> {
 }
 
 pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
-    let desk = Desk::with("");
-    desk.ends(&["validate", "--out", "out", "--pictures", "svg"], 0);
+    let desk = Sandbox::with("");
+    desk.run_expecting(&["validate", "--out", "out", "--pictures", "svg"], 0);
     let shown = [load_cycles(), unloadings(), impacts(), metals(), rebounds()].into_iter().flatten().collect();
     vec![Drawing { desk, shown }]
 });

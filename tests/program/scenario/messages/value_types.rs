@@ -21,7 +21,7 @@ struct Keys {
 }
 
 /// Reads all parts of a scenario, without running it.
-fn understood(text: &str, change: &str) -> Result<(), Error> {
+fn read_all_parts(text: &str, change: &str) -> Result<(), Error> {
     let scenario = Scenario::from_text("steel.toml", text, &[change.to_owned()])?;
     match scenario.kind()? {
         Kind::Indentation => scenario.indentation().map(drop),
@@ -47,7 +47,7 @@ fn no_word_of_the_parser_reaches_a_user() {
             let mut of_key = 0;
             for wrong in &types.wrong {
                 let change = key.replace('@', wrong);
-                let Err(error) = understood(&text, &change) else { continue };
+                let Err(error) = read_all_parts(&text, &change) else { continue };
                 of_key += 1;
                 // the quoted input does not count as a word of the parser
                 let own = error.to_string().replace(&change, "");

@@ -11,7 +11,7 @@ fn warned(stderr: &str) -> Vec<String> {
 }
 
 /// Scenarios of every kind that can have warnings, each with a warning.
-fn doubtful() -> Vec<(&'static str, String)> {
+fn scenarios_with_warnings() -> Vec<(&'static str, String)> {
     let fast = STEEL.replace("3 m/s", "60 m/s");
     let elastic = STEEL.replace(NO_STRENGTH, "");
     let law = "[law.plm]\nunloading_exponent = 1.6\n";
@@ -43,13 +43,13 @@ fn doubtful() -> Vec<(&'static str, String)> {
 
 #[test]
 fn warnings_are_equal_everywhere_and_strict_fails() {
-    for (words, scene) in doubtful() {
-        let desk = Desk::with(scene);
-        let strict = desk.ends(&RUN, 1);
+    for (words, scene) in scenarios_with_warnings() {
+        let desk = Sandbox::with(scene);
+        let strict = desk.run_expecting(&RUN, 1);
         assert!(strict.0.is_empty() && strict.1.contains("--strict") && desk.files("") == ["s.toml"], "{strict:?}");
-        let said = warned(&desk.ends(&RUN[..6], 0).1);
+        let said = warned(&desk.run_expecting(&RUN[..6], 0).1);
         assert!(said.iter().any(|line| line.contains(words)), "{words}: {said:?}");
         assert_eq!(desk.summary()["warnings"], json!(said), "{words}: summary.json");
-        assert_eq!(warned(&desk.ends(&["check", "s.toml"], 0).1), said, "{words}: check");
+        assert_eq!(warned(&desk.run_expecting(&["check", "s.toml"], 0).1), said, "{words}: check");
     }
 }
