@@ -51,10 +51,10 @@ pub fn law_timings(rounds: u32) -> Result<Vec<LawTiming>, ImpactError> {
     let speeds: Vec<f64> = (0..ROWS).map(|row| 0.05 * pow(200.0, f64::from(row) / f64::from(ROWS))).collect();
     for _ in 0..rounds {
         for (rate, (_, law, incidence)) in rates.iter_mut().zip(&laws) {
-            let contact = steel_on_steel(law.get())?;
+            let contact = steel_on_steel(law.as_contact_law())?;
             let ((), ns) = time_call(|| {
                 for _ in 0..CONTACTS {
-                    black_box(steel_on_steel(black_box(law.get())).ok());
+                    black_box(steel_on_steel(black_box(law.as_contact_law())).ok());
                 }
             });
             rate.ns_per_contact = rate.ns_per_contact.min(ns / f64::from(CONTACTS));

@@ -80,7 +80,7 @@ impl MeasurementData {
     /// The data of one impact, from names and values of the measured quantities.
     pub fn single_impact(name: &str, numbers: &[(String, f64)]) -> Self {
         let value = |(name, value): &(String, f64)| {
-            Some(MeasuredValue { row: 0, quantity: MeasuredQuantity::find(name)?, value: *value, deviation: None })
+            Some(MeasuredValue { row: 0, quantity: MeasuredQuantity::from_name(name)?, value: *value, deviation: None })
         };
         let values = numbers.iter().filter_map(value).collect();
         Self { name: name.to_owned(), keys: Vec::new(), rows: vec![MeasurementRow::default()], values }

@@ -93,7 +93,7 @@ impl CalibrationTask {
             return refuse(format!("{values} value for {keys} keys: measure more, or free fewer keys"));
         }
         let is_idle =
-            |name: &String| !MeasuredQuantity::find(name).is_some_and(|quantity| measured.contains(&quantity));
+            |name: &String| !MeasuredQuantity::from_name(name).is_some_and(|quantity| measured.contains(&quantity));
         if let Some((name, _)) = self.request.deviations.iter().find(|(name, _)| is_idle(name)) {
             return refuse(format!("calibrate.noise.{name} is given, but no {name} was measured; leave it out"));
         }

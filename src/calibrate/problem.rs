@@ -246,7 +246,7 @@ impl<'a> Problem<'a> {
         let law = input.law();
         let (sphere, half_space) = input.bodies(&law);
         let sphere = Sphere { yield_strength: None, ..sphere };
-        let contact = StaticContact::try_new(&sphere, &half_space, law.get())?;
+        let contact = StaticContact::try_new(&sphere, &half_space, law.as_contact_law())?;
         let (mut targets, mut steps, mut last) = (Vec::new(), Vec::with_capacity(rows.len()), 0.0);
         for row in rows {
             let indentation = self.data.rows[*row].indentation.unwrap_or(0.0);

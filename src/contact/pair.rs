@@ -125,7 +125,7 @@ impl YieldPoint {
     /// First yield of a softer body of this strength \[Pa\] and Poisson's ratio, in a pair of this effective radius \[m\] and
     /// modulus \[Pa\].
     fn new(
-        flow: YieldPartition,
+        yield_partition: YieldPartition,
         strength: f64,
         poissons_ratio: f64,
         radius: f64,
@@ -137,7 +137,7 @@ impl YieldPoint {
         let indentation = finite_positive("yield indentation (m)", a_over_r * a_over_r * radius)?;
         let contact_radius = a_over_r * radius;
         let force = finite_positive("yield force (N)", 2.0 / 3.0 * pressure * contact_radius * contact_radius)?;
-        Ok(Self { yield_partition: flow, strength, poissons_ratio, factor, indentation, force, contact_radius })
+        Ok(Self { yield_partition, strength, poissons_ratio, factor, indentation, force, contact_radius })
     }
 }
 
@@ -300,7 +300,7 @@ pub struct Ball {
 impl Ball {
     /// Sphere and half-space. Two equal balls are one ball on a rigid wall at half the approach, in units of the radius of this ball.
     fn pair_of_balls(
-        flow: &YieldPartition,
+        yield_partition: &YieldPartition,
         radii: [Option<f64>; 2],
         radius: f64,
         compliances: [f64; 2],
@@ -311,8 +311,11 @@ impl Ball {
             let none = Self { share: 0.0, compliance: 0.0, curvature: 0.0 };
             return [Self { share: 1.0, compliance: 1.0, curvature: 1.0 }, none];
         }
-        let of_sphere = Self { share: flow.sphere_share, compliance: compliances[0], curvature: sphere };
-        [of_sphere, Self { share: 1.0 - flow.sphere_share, compliance: compliances[1], curvature: half_space }]
+        let of_sphere = Self { share: yield_partition.sphere_share, compliance: compliances[0], curvature: sphere };
+        [
+            of_sphere,
+            Self { share: 1.0 - yield_partition.sphere_share, compliance: compliances[1], curvature: half_space },
+        ]
     }
 }
 
@@ -344,12 +347,14 @@ impl Pair {
         let pressures = bodies.map(|(strength, material)| {
             strength.map_or(f64::INFINITY, |strength| yield_factor(material.poissons_ratio) * strength)
         });
-        let flow = YieldPartition::new(pressures, compliances);
-        let (strength, material) = flow.for_softer(bodies);
+        let yield_partition = YieldPartition::new(pressures, compliances);
+        let (strength, material) = yield_partition.for_softer(bodies);
         let radii = [Some(sphere.radius), half_space.ball_radius()];
         let are_equal = half_space.ball_radius() == Some(sphere.radius) && bodies[0] == bodies[1];
         let yield_point = strength
-            .map(|strength| YieldPoint::new(flow, strength, material.poissons_ratio, radius, effective_modulus))
+            .map(|strength| {
+                YieldPoint::new(yield_partition, strength, material.poissons_ratio, radius, effective_modulus)
+            })
             .transpose()?;
         let geometry_radius = if are_equal { sphere.radius } else { radius };
         Ok(Self {
@@ -360,7 +365,7 @@ impl Pair {
             sphere_compliance: compliances[0],
             half_space_compliance: compliances[1],
             yield_point,
-            balls: Ball::pair_of_balls(&flow, radii, radius, compliances, are_equal),
+            balls: Ball::pair_of_balls(&yield_partition, radii, radius, compliances, are_equal),
         })
     }
 

@@ -18,7 +18,7 @@ macro_rules! named_enum {
                 }
             }
 
-            pub fn find(name: &str) -> Option<Self> {
+            pub fn from_name(name: &str) -> Option<Self> {
                 Self::ALL.into_iter().find(|one| one.name() == name)
             }
         }

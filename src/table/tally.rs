@@ -20,7 +20,7 @@ pub(super) fn parse_outcome(status: &str, values: Vec<f64>) -> Option<RowOutcome
     if status == OK {
         return Some(Ok(values));
     }
-    RowFailure::find(status).map(Err)
+    RowFailure::from_name(status).map(Err)
 }
 
 /// The status of a row with a result.

@@ -40,8 +40,9 @@ fn unloading_branches(bodies: &YieldingPair, cycle: &Cycle) -> (LoadedState, Vec
         elastic_approach: Some(cycle.peak.elastic_approach),
         loading_work: cycle.row.number("spent"),
     };
-    let laws = LawChoice::all().into_iter().filter(|law| law.has_own_unloading() && law.about().name != OMITTED_LAW);
-    let of_law = |law: LawChoice| Some((law.name(), peak.unload(&law.get().build_parts(bodies).recovery).ok()?));
+    let laws = LawChoice::all().into_iter().filter(|law| law.has_own_unloading() && law.info().name != OMITTED_LAW);
+    let of_law =
+        |law: LawChoice| Some((law.name(), peak.unload(&law.as_contact_law().build_parts(bodies).recovery).ok()?));
     (peak, laws.filter_map(of_law).collect())
 }
 

@@ -88,7 +88,7 @@ pub fn law_deviations(coefficients: &PlmCoefficients) -> Result<Vec<LawDeviation
     let references = reference_impacts()?;
     let of_law = |(name, law): (String, LawChoice)| {
         let answer = |one: &ReferenceImpact| {
-            let contact = Contact::try_new(one.sphere, one.half_space, law.get()).ok()?;
+            let contact = Contact::try_new(one.sphere, one.half_space, law.as_contact_law()).ok()?;
             Some(one.deviations(&contact.row(one.speed, &Solver::AUTO).ok()?))
         };
         let off: Vec<[Option<f64>; 4]> = references.iter().filter_map(answer).collect();

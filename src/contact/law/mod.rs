@@ -111,8 +111,8 @@ impl Law {
 
     /// The law of a published loading with a published unloading.
     pub fn published(loading: Loading, recovery: published::RecoveryRule) -> Self {
-        let Loading { curve, limits, radius } = loading;
-        Self::new(curve, limits, UnloadingRule::Published(Box::new(PublishedRule { radius, recovery })))
+        let Loading { curve, limits, contact_radius } = loading;
+        Self::new(curve, limits, UnloadingRule::Published(Box::new(PublishedRule { contact_radius, recovery })))
     }
 
     /// The unloading of fresh surface from x; the last digit of x does not matter.
@@ -243,7 +243,7 @@ impl Law {
         }
         match (&self.unloading_rule, self.unloading_rule_at(peak.indentation)) {
             (UnloadingRule::Plm(rule), _) => rule.contact_radius(peak),
-            (_, UnloadingRule::Published(rule)) => (rule.radius)(peak.indentation, peak.force),
+            (_, UnloadingRule::Published(rule)) => (rule.contact_radius)(peak.indentation, peak.force),
             _ => peak.force / peak.elastic_approach,
         }
     }

@@ -119,7 +119,7 @@ pub struct Loading {
     pub curve: Arc<LoadingCurve>,
     pub limits: Validity,
     /// a/a_Y at (x, f) of the loading curve.
-    pub radius: RadiusRule,
+    pub contact_radius: RadiusRule,
 }
 
 /// The contact radius a/a_Y at (x, f) of a loading curve.
@@ -130,11 +130,11 @@ impl Loading {
     pub fn new(
         curve: LoadingCurve,
         elastic_until: f64,
-        radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
+        contact_radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
     ) -> Self {
         let limits = Validity::new(elastic_until, MAX_PARABOLOID_RADIUS_RATIO);
         let curve = if curve.has_polynomial_pieces() { curve.with_transit_series() } else { curve };
-        Self { curve: Arc::new(curve), limits, radius: Arc::new(radius) }
+        Self { curve: Arc::new(curve), limits, contact_radius: Arc::new(contact_radius) }
     }
 }
 
@@ -209,7 +209,7 @@ pub enum LawError {
 #[derive(Clone)]
 pub struct PublishedRule {
     /// a/a_Y of its loading.
-    pub radius: RadiusRule,
+    pub contact_radius: RadiusRule,
     pub recovery: RecoveryRule,
 }
 
@@ -222,7 +222,7 @@ impl fmt::Debug for PublishedRule {
 impl PublishedRule {
     /// A point of the loading curve with the loading work `spent`.
     fn loaded_state(&self, indentation: f64, force: f64, spent: f64) -> LoadedState {
-        let radius = (self.radius)(indentation, force);
+        let radius = (self.contact_radius)(indentation, force);
         LoadedState { indentation, force, contact_radius: radius, elastic_approach: None, loading_work: spent }
     }
 

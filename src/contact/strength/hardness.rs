@@ -61,7 +61,7 @@ impl HardnessScale {
     /// The scale of this symbol in capitals or not, such as HRC or HRc; HBW is a newer name of HB, and HRBW of HRB.
     pub fn from_symbol(symbol: &str) -> Option<Self> {
         let capitals = symbol.to_ascii_uppercase();
-        Self::find(match &*capitals {
+        Self::from_name(match &*capitals {
             "HBW" => "HB",
             "HRBW" => "HRB",
             other => other,

@@ -1,4 +1,4 @@
-//! What defines an impact: contact, scales, forces, plate, waves, strain rate, errors.
+//! The definition of an impact: contact, scales, forces, plate, waves, strain rate, errors.
 
 pub mod contact;
 pub(in crate::impact) mod error;

@@ -163,7 +163,7 @@ impl Contact {
         }
         let mut law = rates.law.clone();
         law.set_rate_factor(factor);
-        self.with_pair(pair, law.get())
+        self.with_pair(pair, law.as_contact_law())
     }
 
     /// This contact, which relaxes to the strength of another contact at maximum compression.

@@ -103,14 +103,14 @@ impl TraceRecorder {
         piece: Option<usize>,
         touch: &MotionState,
     ) -> Option<&mut Vec<DenseOutput>> {
-        self.legs.as_mut().and_then(|legs| begin(legs, piece, touch))
+        self.legs.as_mut().and_then(|legs| start_leg(legs, piece, touch))
     }
 
     /// Records an event of the last leg.
     #[inline]
     pub(in crate::impact) fn record_event(&mut self, event: Event, at: &MotionState) {
         if let Some(legs) = &mut self.legs {
-            mark(legs, event, at);
+            push_event(legs, event, at);
         }
     }
 
@@ -208,7 +208,7 @@ impl RecordedMotion<'_> {
 }
 
 #[cold] // a run without a trace is faster without this code in it
-fn begin<'a>(
+fn start_leg<'a>(
     legs: &'a mut Vec<RecordedLeg>,
     piece: Option<usize>,
     touch: &MotionState,
@@ -219,7 +219,7 @@ fn begin<'a>(
 }
 
 #[cold]
-fn mark(legs: &mut [RecordedLeg], event: Event, at: &MotionState) {
+fn push_event(legs: &mut [RecordedLeg], event: Event, at: &MotionState) {
     if let Some(leg) = legs.last_mut() {
         leg.events.push((event, *at));
     }

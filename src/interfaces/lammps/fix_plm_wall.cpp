@@ -30,7 +30,7 @@ enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere; ENDED is t
 // doubles of a slot: number of the wall (0: no contact), memory (3), plastic work, indentation, and with friction the
 // friction (3); all but the first belong to the sphere of the scenario
 enum { WALL, MEMORY, TAKEN = 4, NOW, FRICTION };
-constexpr int PLAIN = FRICTION, RUBBING = FRICTION + 3;
+constexpr int SLOT_SIZE = FRICTION, SLOT_SIZE_FRICTION = FRICTION + 3;
 // doubles of a sphere in a restart file before its state
 constexpr int RESTART_HEADER = 2;
 // steps per contact for e within 0.1 %: plots/bench/README.md, the worst problem
@@ -38,13 +38,13 @@ constexpr double STEPS_FOR_E = 70.0;
 // with fewer steps than these e is off by several per cent
 constexpr double LEAST_STEPS = 10.0;
 // a first overlap beyond this multiple of the way of one step, and this share of the radius, is a start inside the wall
-constexpr double WAYS = 2.0, ROUNDING = 1e-6;
+constexpr double MAX_FIRST_OVERLAP_STEPS = 2.0, ROUNDING = 1e-6;
 // below this radius of a region, over the radius of the sphere, a warning is given: the relative radius is off by 2 %
 constexpr double CURVED = 50.0;
 }    // namespace
 
 FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), friction(-1.0), slot_size(PLAIN), state(nullptr),
+    Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), friction(-1.0), slot_size(SLOT_SIZE), state(nullptr),
     is_advised(false), is_curved(false), is_deep(false), is_inside(false)
 {
   const char *usage = "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ... [friction MU]";
@@ -91,7 +91,7 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
         error->all(FLERR, "Fix plm/wall: friction {} must be a number of 0 or more", arg[at + 1]);
       if (!atom->omega_flag || !atom->torque_flag)
         error->all(FLERR, "Fix plm/wall: friction turns spheres, and atom_style {} has no spin: use atom_style sphere", atom->atom_style);
-      slot_size = RUBBING;
+      slot_size = SLOT_SIZE_FRICTION;
       at += 2;
       continue;
     } else
@@ -222,16 +222,16 @@ void FixPLMWall::post_force(int /*vflag*/)
       if (distance < radius[i]) {
         const bool is_new = slots[WALL] == 0.0;
         slots[WALL] = 1.0;
-        touch(i, 0.0, 0.0, 1.0, distance, slots, is_new);
+        update_contact(i, 0.0, 0.0, 1.0, distance, slots, is_new);
       } else if (slots[WALL] != 0.0)
-        leave(i, slots);
+        end_contact(i, slots);
     } else if (region->match(x[i][0], x[i][1], x[i][2])) {
       const int n = region->surface(x[i][0], x[i][1], x[i][2], radius[i]);
       for (int k = 0; k < walls; k++) {
         double *slot = slots + slot_size * k;
         const bool is_open = slot[WALL] != 0.0;
         const auto is_this = [&](const Region::Contact &c) { return c.iwall + 1.0 == slot[WALL]; };
-        if (is_open && std::none_of(region->contact, region->contact + n, is_this)) leave(i, slot);
+        if (is_open && std::none_of(region->contact, region->contact + n, is_this)) end_contact(i, slot);
       }
       for (int c = 0; c < n; c++) {
         const Region::Contact &at = region->contact[c];
@@ -250,7 +250,7 @@ void FixPLMWall::post_force(int /*vflag*/)
                          "the law takes it as flat",
                          region_name, std::abs(at.radius), radius[i]);
         }
-        touch(i, at.delx / at.r, at.dely / at.r, at.delz / at.r, at.r, slot, is_new);
+        update_contact(i, at.delx / at.r, at.dely / at.r, at.delz / at.r, at.r, slot, is_new);
       }
     } else
       error->one(FLERR, "Fix plm/wall: the centre of sphere {} is outside of region {}", atom->tag[i], region_name);
@@ -258,7 +258,7 @@ void FixPLMWall::post_force(int /*vflag*/)
 }
 
 /* Adds the force of a contact. n is the normal of the wall, towards the sphere. */
-void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new)
+void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new)
 {
   const Law &law = laws[atom->type[i]];
   const plm_contact *contact = law.contact;
@@ -269,7 +269,7 @@ void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, 
   if (is_new && !is_inside) {
     const double *v = atom->v[i];
     const double way = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * update->dt;
-    if (overlap > WAYS * way + ROUNDING * atom->radius[i]) {
+    if (overlap > MAX_FIRST_OVERLAP_STEPS * way + ROUNDING * atom->radius[i]) {
       is_inside = true;
       error->warning(FLERR,
                      "Fix plm/wall: sphere {} is {:.3g} deep in the wall when it first touches it, and moves {:.3g} in a step: the wall "
@@ -287,7 +287,7 @@ void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, 
   f[2] += force * nz;
   if (friction >= 0.0) {
     const double normal[] = {nx, ny, nz};
-    rub(i, contact, normal, before, indentation, of_contact, slot);
+    add_friction(i, contact, normal, before, indentation, of_contact, slot);
   }
 
   if (indentation > law.deepest && !is_deep) {
@@ -301,11 +301,11 @@ void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, 
   if (slot[MEMORY] != peak) plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, slot + TAKEN);
   slot[NOW] = indentation;
   state[i][DENT] = (slot[MEMORY] - slot[MEMORY + 2]) / scale / length_unit;
-  state[i][PLASTIC] += slot[TAKEN] / of_energy(scale);
+  state[i][PLASTIC] += slot[TAKEN] / energy_scale(scale);
 }
 
 /* Adds friction and its torque: one tangential spring, whose force is its memory. The lever arm is the radius. */
-void FixPLMWall::rub(int i, const plm_contact *contact, const double *n, double before, double indentation, double force, double *slot)
+void FixPLMWall::add_friction(int i, const plm_contact *contact, const double *n, double before, double indentation, double force, double *slot)
 {
   const double scale = scale_of(i), radius = atom->radius[i], *v = atom->v[i], *w = atom->omega[i];
   double *history = slot + FRICTION;
@@ -343,12 +343,12 @@ void FixPLMWall::rub(int i, const plm_contact *contact, const double *n, double 
 double FixPLMWall::scale_of(int i) const { return laws[atom->type[i]].radius / atom->radius[i]; }
 
 /* Divides an energy of the scenario's contact, to get the energy of a sphere of another radius in units of LAMMPS. */
-double FixPLMWall::of_energy(double scale) const { return scale * scale * scale * force_unit * length_unit; }
+double FixPLMWall::energy_scale(double scale) const { return scale * scale * scale * force_unit * length_unit; }
 
 /* The sphere has left the surface: its plastic work is kept, and the next contact is a fresh one. */
-void FixPLMWall::leave(int i, double *slot)
+void FixPLMWall::end_contact(int i, double *slot)
 {
-  const double taken = slot[TAKEN] / of_energy(scale_of(i));
+  const double taken = slot[TAKEN] / energy_scale(scale_of(i));
   state[i][ENDED] += taken;
   state[i][PLASTIC] += taken;
   std::fill_n(slot, slot_size, 0.0);
@@ -369,7 +369,7 @@ double FixPLMWall::compute_vector(int k)
       const plm_contact *contact = laws[atom->type[i]].contact;
       double memory[] = {slot[MEMORY], slot[MEMORY + 1], slot[MEMORY + 2]};
       const double force = plm_contact_force(contact, slot[NOW], memory);
-      energy += plm_contact_energy(contact, slot[NOW], force, memory, nullptr) / of_energy(scale_of(i));
+      energy += plm_contact_energy(contact, slot[NOW], force, memory, nullptr) / energy_scale(scale_of(i));
     }
   }
   MPI_Allreduce(&energy, &all, 1, MPI_DOUBLE, MPI_SUM, world);

@@ -37,12 +37,12 @@ class FixPLMWall : public Fix {
   int maxsize_restart() override;
 
  private:
-  void touch(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new);
-  void rub(int i, const plm_contact *contact, const double *n, double before, double indentation, double force, double *slot);
-  void leave(int i, double *slot);
+  void update_contact(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new);
+  void add_friction(int i, const plm_contact *contact, const double *n, double before, double indentation, double force, double *slot);
+  void end_contact(int i, double *slot);
   void advise();
   double scale_of(int i) const;
-  double of_energy(double scale) const;
+  double energy_scale(double scale) const;
 
   double height;                              // height of the plane
   char *region_name;                          // id of the region whose surface is the wall; null for a plane

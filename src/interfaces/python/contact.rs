@@ -188,7 +188,7 @@ impl Contact {
     /// The name of the law.
     #[getter]
     fn _law(&self) -> &'static str {
-        self.input.named_law.about().name
+        self.input.named_law.info().name
     }
 
     fn __eq__(&self, other: &Self) -> bool {
@@ -263,8 +263,8 @@ impl Impact {
     fn compute(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
         let holder = contact.get();
         let computed = || -> Result<_, Error> {
-            let own = holder.own(speed)?;
-            Ok((holder.computed(own.as_ref(), speed, samples)?, own))
+            let own = holder.at_rate_of(speed)?;
+            Ok((holder.compute_impact(own.as_ref(), speed, samples)?, own))
         };
         let (result, own) = py.detach(computed).map_err(exception)?;
         let notes = if result.has_dent() {
@@ -300,7 +300,7 @@ impl Impact {
                 return Ok(traced);
             }
             let contact = self.contact.get();
-            let impact = contact.computed(self.own.as_ref(), self.result.speed, Some(contact.input.samples()));
+            let impact = contact.compute_impact(self.own.as_ref(), self.result.speed, Some(contact.input.samples()));
             let impact = impact.map_err(exception)?;
             return Ok(self.traced.get_or_init(|| impact));
         }

@@ -39,7 +39,7 @@ mod _core {
     /// The contact laws, each as a dict: name, title, source, loading, unloading, validity, confidence.
     #[pyfunction]
     fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-        let laws: Vec<_> = LawChoice::all().iter().map(LawChoice::about).collect();
+        let laws: Vec<_> = LawChoice::all().iter().map(LawChoice::info).collect();
         from_json(py, &json!(laws))
     }
 

@@ -12,8 +12,9 @@ use super::rows::{failures, plan_columns, values};
 use super::table::{table as table_of, value_columns};
 use super::workers::{append, interruptible, with_capacity};
 use crate::files::{OutputFile, Progress};
+use crate::report;
 use crate::report::chart::PictureFormat;
-use crate::report::run::{Outcome, RunOptions, run, table};
+use crate::report::run::{Outcome, RunOptions, table};
 use crate::report::text::Detail;
 use crate::scenario::Scenario;
 
@@ -89,7 +90,7 @@ fn element_error(py: Python<'_>, error: PyErr) -> PyErr {
 
 fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> PyResult<Bound<'py, PyAny>> {
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
-    let made = interruptible(py, |progress| run(scenario, Some(&options(&command, pictures, progress))))?
+    let made = interruptible(py, |progress| report::run::run(scenario, Some(&options(&command, pictures, progress))))?
         .map_err(exception)?;
     if let Some(mut made) = made {
         made.warnings.extend(made.contradiction.take());

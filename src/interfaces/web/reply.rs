@@ -18,7 +18,7 @@ use crate::table::format::csv::Csv;
 use crate::units::four_digits;
 
 /// The most rows of a table, which is held in memory.
-const MOST_ROWS: u64 = 100_000;
+const MAX_ROWS: u64 = 100_000;
 const POINTS: usize = 601;
 /// The decades of the curve below, and also above, the power of ten at or below the impact.
 const DECADES: f64 = 2.0;
@@ -30,7 +30,7 @@ pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     let options = RunOptions { command: &command, detail: Detail::Whole, pictures, progress: &Counter::default() };
     let Outcome { warnings, text, files, contradiction, .. } = match at_once(scenario, Some(&options))? {
         Some(outcome) => outcome,
-        None => of_table(scenario, &options)?,
+        None => table_outcome(scenario, &options)?,
     };
     let curve = if kind == Kind::Impact { curve(scenario, pictures)? } else { None };
     Ok(json!({
@@ -38,21 +38,21 @@ pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
         "warnings": warnings,
         "text": text,
         "contradiction": contradiction,
-        "files": texts(files),
+        "files": file_texts(files),
         "curve": curve
     }))
 }
 
-fn of_table(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
+fn table_outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
     let rows = plan.count();
-    if rows > MOST_ROWS {
+    if rows > MAX_ROWS {
         let key = if plan.is_monte_carlo() { "monte_carlo" } else { "sweep" };
         let message =
-            format!("a table of {rows} rows: a page computes at most {MOST_ROWS}; ask for fewer, or use the command");
+            format!("a table of {rows} rows: a page computes at most {MAX_ROWS}; ask for fewer, or use the command");
         return Err(scenario.document.refuse(key, message));
     }
-    let (csv, tally) = rows_of(&plan)?;
+    let (csv, tally) = table_csv(&plan)?;
     let table = OutputFile { name: "table.csv".to_owned(), bytes: csv };
     table::outcome(scenario, &plan, &tally, options, Some(table))
 }
@@ -82,14 +82,14 @@ fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> 
             chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
             "Restitution of the same bodies".clone_into(&mut chart.title);
             let mut files: Vec<OutputFile> = format.file("restitution", &chart)?.into_iter().collect();
-            files.push(OutputFile { name: "restitution.csv".to_owned(), bytes: rows_of(&plan)?.0 });
-            Ok(texts(files))
+            files.push(OutputFile { name: "restitution.csv".to_owned(), bytes: table_csv(&plan)?.0 });
+            Ok(file_texts(files))
         })
         .transpose()
 }
 
 /// The table as CSV, and what its rows add up to.
-fn rows_of(plan: &Plan) -> Result<(Vec<u8>, Tally), Error> {
+fn table_csv(plan: &Plan) -> Result<(Vec<u8>, Tally), Error> {
     let form = Csv::new(plan);
     let mut text = (plan.column_names().join(",") + "\n").into_bytes();
     let tally = table::rows(plan, &Counter::default(), |rows| form.lines(rows), |piece| text.extend(piece))?;
@@ -97,7 +97,7 @@ fn rows_of(plan: &Plan) -> Result<(Vec<u8>, Tally), Error> {
 }
 
 /// The texts of files, by their names.
-fn texts(files: Vec<OutputFile>) -> Value {
+fn file_texts(files: Vec<OutputFile>) -> Value {
     let text = |file: OutputFile| (file.name, String::from_utf8_lossy(&file.bytes).into());
     Value::Object(files.into_iter().map(text).collect::<Map<_, _>>())
 }

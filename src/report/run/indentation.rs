@@ -28,7 +28,7 @@ pub fn compute(
     let mut tested = Vec::new();
     for specimen in &scene.specimens {
         let name = specimen.name.as_deref();
-        let contact = StaticContact::try_new(&scene.sphere, &specimen.half_space, scene.law.get());
+        let contact = StaticContact::try_new(&scene.sphere, &specimen.half_space, scene.law.as_contact_law());
         let contact = contact.map_err(|reason| indentation_error(scenario, None, reason))?;
         let indentation =
             contact.indent(&scene.targets, samples).map_err(|reason| indentation_error(scenario, name, reason))?;

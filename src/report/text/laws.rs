@@ -8,7 +8,7 @@ use crate::contact::law::catalogue::unimplemented_laws;
 use crate::contact::law::{LawChoice, LawInfo};
 
 pub fn laws_json() -> Value {
-    let laws: Vec<&LawInfo> = LawChoice::all().iter().map(LawChoice::about).collect();
+    let laws: Vec<&LawInfo> = LawChoice::all().iter().map(LawChoice::info).collect();
     let missing = unimplemented_laws().map(|(title, reason)| json!({ "title": title, "reason": reason }));
     json!({ "laws": laws, "not_here": missing.collect::<Vec<_>>() })
 }
@@ -18,7 +18,7 @@ pub fn laws_text() -> String {
     let mut text =
         "Laws for [law.<name>], for the axis \"law\" of a sweep, and for the halves of [law.combined]:\n\n".to_owned();
     for law in LawChoice::all() {
-        let about = law.about();
+        let about = law.info();
         let _ = writeln!(text, "{}\n  {}", about.name, about.title);
         let lines = [
             ("source", about.source),

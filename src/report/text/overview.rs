@@ -27,7 +27,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
             // the keys of the PLM name the law
             "law" if matches!(law, LawChoice::Plm(_)) => {}
             "law" => {
-                let about = law.about();
+                let about = law.info();
                 rows.push([key, format!("{text} ({})", law.source())]);
                 rows.push(["law.validity".to_owned(), about.validity.to_owned()]);
                 rows.push(["law.confidence".to_owned(), about.confidence.to_owned()]);

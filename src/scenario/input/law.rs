@@ -91,6 +91,6 @@ impl Input {
 
     /// True if the key belongs to the table of the law.
     pub fn is_law_key(&self, path: &str) -> bool {
-        path.split('.').take(2).eq(["law", self.named_law.about().name])
+        path.split('.').take(2).eq(["law", self.named_law.info().name])
     }
 }

@@ -103,7 +103,7 @@ impl Input {
             });
             return Ok(());
         }
-        let Some(known) = LawChoice::all().into_iter().find(|law| law.about().name == name) else {
+        let Some(known) = LawChoice::all().into_iter().find(|law| law.info().name == name) else {
             let known: Vec<&str> = LawChoice::names().into_iter().chain([COMBINED]).collect();
             reader.refuse_unknown(law, &known);
             return Ok(());

@@ -111,7 +111,7 @@ impl Input {
 
     /// Pairs these bodies under this law.
     pub fn contact_of(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
-        let mut contact = Contact::try_new(sphere, half_space, law.get())?.with_forces(self.forces());
+        let mut contact = Contact::try_new(sphere, half_space, law.as_contact_law())?.with_forces(self.forces());
         if self.number(key!("sphere.mass")).is_some() {
             contact = contact.with_attached_mass();
         }

@@ -62,7 +62,7 @@ fn read_each<T>(
 fn read_axis(name: &TomlKey, node: &TomlValue) -> Result<Axis, ValueError> {
     let path = name.get_ref();
     if path == METHOD_KEY {
-        let method = |item: &TomlValue| find_word(&METHODS, item, Method::find).map(AxisWord::Method);
+        let method = |item: &TomlValue| find_word(&METHODS, item, Method::from_name).map(AxisWord::Method);
         return read_word_axis(METHOD_KEY, node, "[\"rk8\", \"dop853\"]", method);
     }
     if path == LAW_KEY {

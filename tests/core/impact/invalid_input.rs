@@ -97,7 +97,7 @@ fn coefficients_that_break_a_rule_are_refused() {
     let thornton = Box::new(LawChoice::from_name("thornton").unwrap());
     let half = LawChoice::Combined(Combined { loading: thornton, unloading: Box::new(plm.clone()) });
     for law in [plm, LawChoice::Combined(Combined { loading: one, unloading: other }), half] {
-        let error = Contact::try_new(sphere(), half_space(), law.get()).unwrap_err();
+        let error = Contact::try_new(sphere(), half_space(), law.as_contact_law()).unwrap_err();
         assert!(matches!(error, ImpactError::Law(LawError::Coefficients { .. })), "{error}");
         assert!(error.to_string().contains("force.from"), "{error}");
     }

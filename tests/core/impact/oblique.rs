@@ -28,7 +28,7 @@ fn alumina_on_glass() -> Contact {
 
 /// A steel sphere of 5 mm radius on the same steel.
 fn steel(law: &LawChoice) -> Contact {
-    Scene::steel().contact_by(law.get())
+    Scene::steel().contact_by(law.as_contact_law())
 }
 
 fn approach(speed: f64, degrees: f64, friction: f64, spin: f64) -> Approach {

@@ -94,7 +94,9 @@ fn damped_times_converge_with_first_order() {
 #[test]
 fn steps_per_contact_are_kept_under_gravity() {
     let law = LawChoice::from_name("jackson_green").unwrap();
-    let contact = Scene::steel().contact_by(law.get()).with_forces(Forces { gravity: Some(9.81), ..Forces::default() });
+    let contact = Scene::steel()
+        .contact_by(law.as_contact_law())
+        .with_forces(Forces { gravity: Some(9.81), ..Forces::default() });
     for speed in [0.05, 0.5, 3.0, 50.0] {
         let steps = contact.impact(speed, &verlet(50), None).unwrap().stats.steps;
         assert!((49..=54).contains(&steps), "{speed}: {steps}");

@@ -125,7 +125,7 @@ pub fn a_slow_indentation_is_the_impact_without_motion(run: &Run) -> Judgement {
     let input = run.scene.input().unwrap();
     let law = input.law();
     let (sphere, half_space) = input.bodies(&law);
-    let slow = StaticContact::try_new(&sphere, &half_space, law.get()).unwrap();
+    let slow = StaticContact::try_new(&sphere, &half_space, law.as_contact_law()).unwrap();
     let depth = impact.peak_indentation;
     let steps = slow.indent(&[To(depth), Load(0.0), To(depth)], None).unwrap().steps;
     let [up, down, again] = steps[..] else { panic!("three steps") };

@@ -32,7 +32,7 @@ fn scenes() -> [Impact; 4] {
 #[test]
 fn force_loops_fill_the_axes() {
     for (impact, (boxes, sphere)) in scenes().into_iter().zip([(2, Some(1)), (1, Some(0)), (1, None), (1, Some(0))]) {
-        let drawn = SvgPicture::of(&pictures::force_indentation(&impact).unwrap());
+        let drawn = SvgPicture::from_chart(&pictures::force_indentation(&impact).unwrap());
         assert_eq!(drawn.boxes().len(), boxes);
         for (color, at) in [(BLUE, Some(0)), (VERMILLION, sphere), (GREEN, sphere.map(|_| 0))] {
             let points = at.map_or(0, |at| drawn.shares_of(color, at).len());
@@ -79,7 +79,7 @@ fn axes() -> [([Axis; 2], f64, f64); 2] {
 fn a_curve_lies_where_its_values_are() {
     for (axes, low, high) in axes() {
         let chart = lines(axes, vec![vec![(low, low), (high, high)]]);
-        let drawn = SvgPicture::of(&chart);
+        let drawn = SvgPicture::from_chart(&chart);
         let ends = drawn.shares(VERMILLION);
         for (got, want) in ends.iter().zip([(0.0, 0.0), (1.0, 1.0)]) {
             assert!((got.0 - want.0).abs() < 1e-3 && (got.1 - want.1).abs() < 1e-3, "{got:?}");
@@ -104,7 +104,7 @@ fn curves_and_guides_are_cut_at_the_axes() {
     let unit = |title: &str| Axis::linear(title, "").with_range(0.0, 1.0);
     let curves = vec![vec![(-1.0, 0.25), (2.0, 0.25)], vec![(0.5, -5.0), (0.5, 5.0)], vec![(-3.0, 9.0), (9.0, 9.0)]];
     let guides = vec![Series::vertical(7.0, "outside"), Series::horizontal(0.75, "level")];
-    let drawn = SvgPicture::of(&lines([unit("x"), unit("y")], curves).with_guides(guides));
+    let drawn = SvgPicture::from_chart(&lines([unit("x"), unit("y")], curves).with_guides(guides));
     let near = |a: f64, b: f64| (a - b).abs() < 1e-3;
     let inside: Vec<_> = drawn.shares(VERMILLION).into_iter().filter(|(x, _)| *x < 1.01).collect();
     let want = [(0.0, 0.25), (1.0, 0.25), (0.5, 0.0), (0.5, 1.0)];
@@ -116,7 +116,7 @@ fn curves_and_guides_are_cut_at_the_axes() {
 
 #[test]
 fn text_stays_in_sheet_with_any_font() {
-    let drawn = SvgPicture::of(&lines(axes()[0].0.clone(), vec![vec![(0.0, 0.0), (2.0, 2.0)]]));
+    let drawn = SvgPicture::from_chart(&lines(axes()[0].0.clone(), vec![vec![(0.0, 0.0), (2.0, 2.0)]]));
     let texts = drawn.texts();
     for want in ["a < b & \"c\"", "Length [m]", "Height [m]", "first", "a note", "0.5"] {
         assert!(texts.iter().any(|text| text == want), "{want} is not in {texts:?}");
@@ -187,7 +187,7 @@ fn odd_data_make_a_picture_and_no_panic() {
         for axis in [Axis::linear("x", "m"), Axis::linear("x", "m"), Axis::log("x", "m")] {
             let series = vec![Series::line("a", points.clone()), Series::marked_line("b", points.clone())];
             let chart = Chart::new("odd", [axis.clone(), axis.clone()], series);
-            assert_eq!(SvgPicture::of(&chart).boxes().len(), 1, "{points:?}");
+            assert_eq!(SvgPicture::from_chart(&chart).boxes().len(), 1, "{points:?}");
         }
     }
 }
@@ -200,7 +200,7 @@ fn heat_map_colours_each_cell() {
         heatmap("e", axes, [&[1.0, 10.0], &[1e8, 2e8]], value, Axis::linear("e", "").with_range(0.0, 1.0))
     };
     let chart = map(&[0.0, 1.0, f64::NAN, 0.5]);
-    let [left, top, right, bottom] = SvgPicture::of(&chart).boxes()[0].map(|at| at / UNITS);
+    let [left, top, right, bottom] = SvgPicture::from_chart(&chart).boxes()[0].map(|at| at / UNITS);
     let (width, pixels) = pixels(&chart.to_png().unwrap());
     // both ends of viridis (van der Walt and Smith 2015): 440154 and fde725; places as shares of the axes
     let cells = [((0.2, 0.25), [0x44, 0x01, 0x54]), ((0.65, 0.25), [0xfd, 0xe7, 0x25]), ((0.2, 0.9), [0xe2; 3])];
@@ -213,7 +213,7 @@ fn heat_map_colours_each_cell() {
     // one column has no width, so nothing is drawn
     let axes = || [Axis::linear("x", ""), Axis::linear("y", "")];
     let empty = heatmap("e", axes(), [&[1.0], &[]], |_, _| 0.5, Axis::linear("e", ""));
-    assert_eq!(SvgPicture::of(&empty).boxes().len(), 2);
+    assert_eq!(SvgPicture::from_chart(&empty).boxes().len(), 2);
 }
 
 const LONG: &str = "A title of forty words that somebody wrote who had much to say about the sphere, the half-space, the speed \

@@ -29,7 +29,7 @@ pub fn points(node: Node) -> Vec<(f64, f64)> {
 }
 
 impl SvgPicture {
-    pub fn of(chart: &Chart) -> Self {
+    pub fn from_chart(chart: &Chart) -> Self {
         Self(text(&chart.to_svg().unwrap()))
     }
 
@@ -131,7 +131,7 @@ impl SvgPicture {
         let (labels, titles): (Vec<Node>, Vec<Node>) = below.iter().partition(|node| number(**node, "y") == labels_at);
         let labels: Vec<(f64, String)> = labels.iter().map(|node| (number(*node, "x"), words(*node))).collect();
         // a title that is longer than its box has two rows
-        Scale::of(&labels, &titles.iter().map(|title| words(*title)).collect::<Vec<_>>().join(" "))
+        Scale::from_labels(&labels, &titles.iter().map(|title| words(*title)).collect::<Vec<_>>().join(" "))
     }
 
     /// The vertical scale, whose labels stand left of the box, or left of the box that is beside it.
@@ -153,7 +153,7 @@ impl SvgPicture {
         let labels = [left, first].map(beside).into_iter().find(|labels| !labels.is_empty()).unwrap();
         let turned = nodes.iter().filter(|node| node.attribute("transform").is_some() && number(**node, "x") < left);
         let title = turned.max_by(|a, b| number(**a, "x").total_cmp(&number(**b, "x"))).unwrap();
-        Scale::of(&labels, &words(*title))
+        Scale::from_labels(&labels, &words(*title))
     }
 
     /// The fill of the topmost rectangle at a place.
@@ -189,7 +189,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    fn of(labels: &[(f64, String)], title: &str) -> Self {
+    fn from_labels(labels: &[(f64, String)], title: &str) -> Self {
         let unit = title.split(['[', ']']).nth(1).unwrap_or_default();
         let labels: Vec<(f64, f64)> = labels.iter().map(|(at, label)| (*at, value(label) * factor(unit))).collect();
         let with = |is_logarithmic| Self { ends: [labels[0], *labels.last().unwrap()], is_logarithmic };

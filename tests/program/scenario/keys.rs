@@ -104,7 +104,7 @@ fn computed(input: &Input, of: RunKind) -> String {
     if of == RunKind::Indentation {
         let law = input.law();
         let (sphere, half_space) = input.bodies(&law);
-        let contact = StaticContact::try_new(&sphere, &half_space, law.get());
+        let contact = StaticContact::try_new(&sphere, &half_space, law.as_contact_law());
         return format!("{:?}", contact.unwrap().indent(&[SetPoint::Load(1e4), SetPoint::Load(0.0)], None));
     }
     let contact = input.contact().unwrap();

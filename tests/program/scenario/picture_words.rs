@@ -106,7 +106,7 @@ fn unloading_curves_on_logarithmic_axes_end_at_edge() {
 fn an_error_bar_below_zero_reaches_the_edge() {
     let axes = [Axis::linear("x", "").with_range(0.0, 3.0), Axis::log("y", "").with_range(0.1, 100.0)];
     let bars = Series::error_bars([(1.0, 10.0, 5.0), (2.0, 1.0, 2.0)].into_iter()).with_style(0);
-    let drawn = SvgPicture::of(&Chart::new("bars", axes, vec![bars]));
+    let drawn = SvgPicture::from_chart(&Chart::new("bars", axes, vec![bars]));
     let lines = drawn.lines(BLUE);
     assert_eq!(lines.len(), 2);
     let bottom = drawn.boxes()[0][3];
@@ -260,7 +260,7 @@ fn many_curves_have_markers() {
 fn legend_has_frame_and_appears_when_needed() {
     let axes = [Axis::linear("x", ""), Axis::linear("y", "")];
     let lines = vec![Series::line("n = -2.623", vec![(0.0, 0.0), (1.0, 1.0)]).with_style(0)];
-    let with_key = SvgPicture::of(&Chart::new("t", axes, lines));
+    let with_key = SvgPicture::from_chart(&Chart::new("t", axes, lines));
     let frame = with_key.lines("#E2E2E2").into_iter().filter(|line| line.len() == 5 && line[0] == line[4]).count();
     assert_eq!(frame, 1);
     // with the sign of a number

@@ -39,14 +39,14 @@ macro_rules! law_enum {
                 vec![$(Self::$law($file::$law::default())),*]
             }
 
-            pub fn about(&self) -> &'static LawInfo {
+            pub fn info(&self) -> &'static LawInfo {
                 match self {
                     $(Self::$law(_) => LawInfo::for_law(stringify!($file)),)*
                     Self::Combined(_) => LawInfo::for_law("combined"),
                 }
             }
 
-            pub fn get(&self) -> &dyn ContactLaw {
+            pub fn as_contact_law(&self) -> &dyn ContactLaw {
                 match self {
                     $(Self::$law(law) => law,)*
                     Self::Combined(law) => law,
@@ -88,11 +88,11 @@ impl LawChoice {
             let (loading, unloading) = (half(loading)?, half(unloading)?);
             return loading.has_loading().then_some(Self::Combined(Combined { loading, unloading }));
         }
-        Self::all().into_iter().find(|law| law.about().name == name)
+        Self::all().into_iter().find(|law| law.info().name == name)
     }
 
     pub fn names() -> Vec<&'static str> {
-        Self::all().iter().map(|law| law.about().name).collect()
+        Self::all().iter().map(|law| law.info().name).collect()
     }
 
     /// The flow curves of sphere and half-space.
@@ -105,7 +105,7 @@ impl LawChoice {
 
     /// True if it says how a contact loads. All laws unload, if need be by the paper's law.
     pub fn has_loading(&self) -> bool {
-        self.about().loading != "none"
+        self.info().loading != "none"
     }
 
     /// True if its unloading is its own and not that of another law.
@@ -117,7 +117,7 @@ impl LawChoice {
     pub fn name(&self) -> String {
         match self {
             Self::Combined(Combined { loading, unloading }) => format!("{} + {}", loading.name(), unloading.name()),
-            law => law.about().name.to_owned(),
+            law => law.info().name.to_owned(),
         }
     }
 
@@ -126,7 +126,7 @@ impl LawChoice {
             Self::Combined(Combined { loading, unloading }) => {
                 format!("loading: {}; unloading: {}", loading.source(), unloading.source())
             }
-            law => law.about().source.to_owned(),
+            law => law.info().source.to_owned(),
         }
     }
 }
@@ -181,7 +181,8 @@ impl ContactLaw for Combined {
     }
 
     fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
-        let [loading, unloading] = [&self.loading, &self.unloading].map(|half| half.get().build_parts(bodies));
+        let [loading, unloading] =
+            [&self.loading, &self.unloading].map(|half| half.as_contact_law().build_parts(bodies));
         LawParts { recovery: unloading.recovery, ..loading }
     }
 }

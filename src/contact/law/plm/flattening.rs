@@ -47,7 +47,7 @@ impl Flattening {
         pair: &Pair,
         yield_radius_ratio: f64,
         plastic_from: f64,
-        plain: Arc<LoadingCurve>,
+        unflattened_curve: Arc<LoadingCurve>,
         mut equivalents: impl FnMut(f64, f64) -> [f64; 2],
         radius: impl Fn(f64, f64) -> f64,
     ) -> (LoadingCurve, Self) {
@@ -66,7 +66,7 @@ impl Flattening {
             let is_held = x >= end || equivalent * yield_radius_ratio >= MAX_RADIUS_RATIO && is_wide();
             (1.0 + softening * x * (1.0 - plastic_from / in_strength).max(0.0), is_held)
         };
-        let pieces = plain.pieces();
+        let pieces = unflattened_curve.pieces();
         let (last, mut x) = (&pieces[pieces.len() - 1], pieces.get(1).map_or(1.0, |piece| piece.start));
         let (mut factor, mut is_held, mut points) = (1.0, false, Vec::with_capacity(128));
         points.push([x, x * x.sqrt()]);
@@ -100,7 +100,7 @@ impl Flattening {
         };
         (
             curve.with_transit_series(),
-            Self { unflattened_curve: plain, recovery: recovery * yield_radius_ratio, max_radius_ratio: widest },
+            Self { unflattened_curve, recovery: recovery * yield_radius_ratio, max_radius_ratio: widest },
         )
     }
 

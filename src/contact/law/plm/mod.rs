@@ -165,7 +165,7 @@ impl ContactLaw for Plm {
         let (curve, rule) = self.with_flat(bodies);
         let (limits, of_radius) = (rule.validity(), rule.clone());
         let radius = move |x, force| of_radius.contact_radius(&of_radius.state(x, force));
-        let loading = Loading { curve, limits, radius: Arc::new(radius) };
+        let loading = Loading { curve, limits, contact_radius: Arc::new(radius) };
         LawParts {
             loading: self.check(bodies).map(|()| loading),
             recovery: Arc::new(move |at: LoadedState| rule.recovered(&at)),

@@ -9,10 +9,10 @@ import re
 from collections.abc import Mapping
 
 # largest depth of dicts and lists inside of each other; no scenario needs as much
-DEEPEST = 16
+MAX_DEPTH = 16
 
 
-def refuse_lost(value, place):
+def reject_units_and_masks(value, place):
     """Refuses arrays with units and masked arrays, because NumPy would drop units and mask without a warning."""
     unit = 'a unit of its own; give plain numbers in SI, or a text such as "5 mm"'
     for name, what in [("units", unit), ("unit", unit), ("mask", "a mask; leave the masked values out")]:
@@ -24,7 +24,7 @@ def numbers(value, place):
     """Numbers in SI units as a contiguous array of doubles. Messages use `place`, the name of the numbers."""
     import numpy
 
-    refuse_lost(value, place)
+    reject_units_and_masks(value, place)
     array = numpy.asarray(value)
     if array.dtype.kind not in "iuf":
         raise TypeError(f"{place}: found the type {array.dtype}, expected numbers in SI")
@@ -52,11 +52,11 @@ def scenario_of(tables):
 
 def toml(value, place, depth=0):
     """A value in TOML. Messages use `place`, the path of its key."""
-    if depth > DEEPEST:
+    if depth > MAX_DEPTH:
         raise ValueError(f"{place}: too many dicts or lists inside of each other")
     if value is None:
         raise TypeError(f"{place}: found None; leave the key out")
-    refuse_lost(value, place)
+    reject_units_and_masks(value, place)
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, int):
@@ -105,7 +105,7 @@ def csv_of(data):
         raise TypeError("data: expected a dict or a DataFrame")
     columns = []
     for name in names:
-        refuse_lost(data[name], name)
+        reject_units_and_masks(data[name], name)
         columns.append(numpy.atleast_1d(numpy.asarray(data[name])))
 
     def field(value):

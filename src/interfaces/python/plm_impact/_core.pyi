@@ -18,7 +18,6 @@ __all__ = [
     "__version__",
     "arrow_stream",
     "calibrate",
-    "checked",
     "laws",
     "materials",
     "numeric_keys",
@@ -26,6 +25,7 @@ __all__ = [
     "run",
     "schema",
     "table_of_csv",
+    "validated",
 ]
 
 @final
@@ -38,5 +38,5 @@ class Column:
 def arrow_stream(columns: list[tuple[str, Column]]) -> object: ...
 def table_of_csv(bytes: bytes) -> Table: ...
 def numeric_keys() -> list[str]: ...
-def checked(contact: Contact, path: str, value: Any) -> Any: ...
+def validated(contact: Contact, path: str, value: Any) -> Any: ...
 def rows(contact: Contact, keys: list[tuple[str, Any]]) -> dict[str, Column]: ...

@@ -28,10 +28,10 @@ def impacts(contact, /, **keys):
         raise ValueError("no key is given; write one such as speed=[1.0, 2.0]")
     given = {}
     for name, value in keys.items():
-        place, path = found_before.get((name, contact._law)) or meant(name, contact._law)
+        place, path = _cache.get((name, contact._law)) or resolve_key(name, contact._law)
         if place in given:
             raise ValueError(f"{path}: is given twice, as {given[place][0]} and as {name}; keep one of the two")
-        given[place] = name, path, _core.checked(contact, path, value)
+        given[place] = name, path, _core.validated(contact, path, value)
     # in the order of the registry, so that results do not depend on the order of the arguments
     paths, values = zip(*(given[place][1:] for place in sorted(given)))
     shapes = [getattr(value, "shape", ()) for value in values]
@@ -46,13 +46,13 @@ def impacts(contact, /, **keys):
 
 
 # a name such as `radius` or `yield_strength` alone is that of the other body
-SELDOM = ["sphere.yield_strength", "sphere.hardness", "half_space.radius", "half_space.mass"]
+LOW_PRIORITY = ["sphere.yield_strength", "sphere.hardness", "half_space.radius", "half_space.mass"]
 
 # by name and law
-found_before: "dict[tuple[str, str], tuple[int, str]]" = {}
+_cache: "dict[tuple[str, str], tuple[int, str]]" = {}
 
 
-def meant(name, law):
+def resolve_key(name, law):
     """The key that the name of an argument means under a law: its place in the registry, and its path."""
     paths = _core.numeric_keys()
     found = [path for path in paths if name in (path, path.replace(".", "_"))]
@@ -60,7 +60,7 @@ def meant(name, law):
         last = [path for path in paths if path.endswith(f".{name}")]
         # neither keys of other laws nor what a scene seldom has: it is meant where it is named in full
         laws = [path for path in last if path.startswith("law.") and not path.startswith(f"law.{law}.")]
-        found = [path for path in last if path not in [*laws, *SELDOM]] or last
+        found = [path for path in last if path not in [*laws, *LOW_PRIORITY]] or last
     if len(found) > 1:
         names = " or ".join(path.replace(".", "_") for path in found)
         raise ValueError(f"{name}: may be {names}; write one of them")
@@ -70,4 +70,4 @@ def meant(name, law):
             raise TypeError(f"{name}: words are not broadcast; {ways}")
         # such a name is refused with its values
         return len(paths), name
-    return found_before.setdefault((name, law), (paths.index(found[0]), found[0]))
+    return _cache.setdefault((name, law), (paths.index(found[0]), found[0]))

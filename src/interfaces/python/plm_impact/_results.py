@@ -66,7 +66,7 @@ class Table:
 
     def to_pandas(self):
         """The table as a `pandas.DataFrame`, with a row for each case. Words such as the status are categories."""
-        pandas = package("pandas", "to_pandas")
+        pandas = import_optional("pandas", "to_pandas")
 
         def series(column):
             words = column.categories()
@@ -76,11 +76,11 @@ class Table:
 
     def to_polars(self):
         """The table as a `polars.DataFrame`, with a row for each case, without a copy of its numbers."""
-        return package("polars", "to_polars").DataFrame(self)
+        return import_optional("polars", "to_polars").DataFrame(self)
 
     def to_arrow(self):
         """The table as a `pyarrow.Table`, without a copy of its numbers."""
-        return package("pyarrow", "to_arrow").table(self)
+        return import_optional("pyarrow", "to_arrow").table(self)
 
     def to_xarray(self):
         """The table as an `xarray.Dataset` in its shape. The keys are coordinates; one that varies along an axis alone names
@@ -102,7 +102,7 @@ class Table:
                 coordinates[name] = [names[axis] for axis in along[name]], column[place]
             else:
                 results[name] = names, column
-        return package("xarray", "to_xarray").Dataset(results, coordinates)
+        return import_optional("xarray", "to_xarray").Dataset(results, coordinates)
 
     def __arrow_c_stream__(self, requested_schema=None):
         # the Arrow standard allows a producer to ignore the requested types
@@ -119,10 +119,10 @@ class Table:
 
     def _repr_html_(self):
         columns, count = [column.numpy() for column in self._columns.values()], len(self)
-        ends = range(count) if count <= 2 * ENDS else [*range(ENDS), *range(count - ENDS, count)]
+        ends = range(count) if count <= 2 * HEAD_ROWS else [*range(HEAD_ROWS), *range(count - HEAD_ROWS, count)]
         rows = [[row, *(field(column[row]) for column in columns)] for row in ends]
         if len(rows) < count:
-            rows.insert(ENDS, ["\u2026"] * (1 + len(columns)))
+            rows.insert(HEAD_ROWS, ["\u2026"] * (1 + len(columns)))
         head = line("th", ["", *self])
         body = "".join(line("td", row) for row in rows)
         return f"<table><thead>{head}</thead><tbody>{body}</tbody></table><p>{count} rows, shape {self.shape}</p>"
@@ -176,7 +176,7 @@ class Outcome:
 
 
 # rows of a table that a notebook shows at its begin, and at its end
-ENDS = 5
+HEAD_ROWS = 5
 
 
 def field(value):
@@ -199,7 +199,7 @@ def html_of(text, picture):
     return f'{shown}<img style="max-width: 100%" src="data:image/png;base64,{base64.b64encode(picture).decode()}">'
 
 
-def package(name, method):
+def import_optional(name, method):
     """A package that only this method needs."""
     try:
         return importlib.import_module(name)

@@ -23,7 +23,7 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
   form.append(elsewhere);
 
   // a material takes the place of the numbers that it has; a material that is taken away leaves its numbers
-  function take([[path, name]]) {
+  function setMaterial([[path, name]]) {
     const table = path.split(".")[0];
     const known = (name) => Object.entries(materials.find((one) => one.name === name)?.values ?? {});
     const of = (name) => known(name).filter(([key]) => key.split(".")[0] === table);
@@ -58,7 +58,7 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
     if (!groups.has(table)) groups.set(table, makeGroup(table));
     const beside = field.instead && rows.get(field.instead);
     if (beside) beside.add(field);
-    const row = beside || makeRow(field, materials, field.path === `${table}.material` ? take : changed);
+    const row = beside || makeRow(field, materials, field.path === `${table}.material` ? setMaterial : changed);
     rows.set(field.path, row);
     if (!beside) place(row, field.path, groups.get(table));
   }
@@ -90,8 +90,8 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
   }
 
   /** Shows what is wrong at its field or group, with a button that cures it, if there is one; says whether there is a place. */
-  function complain(key, message, cure) {
-    for (const row of unique) row.complain(null);
+  function showError(key, message, cure) {
+    for (const row of unique) row.showError(null);
     for (const { error } of groups.values()) error.hidden = true;
     if (!key) return false;
     const row = rows.get(key);
@@ -100,7 +100,7 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
     group.group.open = true;
     if (row) {
       unfold(row);
-      row.complain(message, key, cure);
+      row.showError(message, key, cure);
     } else {
       group.error.replaceChildren(message, ...(cure ? [" ", cure] : []));
       group.error.hidden = false;
@@ -108,5 +108,5 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
     return true;
   }
 
-  return { fill, complain, focus: (path) => rows.get(path)?.input.focus() };
+  return { fill, showError, focus: (path) => rows.get(path)?.input.focus() };
 }

@@ -4,7 +4,7 @@ import { download, element } from "./element.js";
 import { makeForm } from "./form.js";
 import { isNarrow, onRoom } from "./picture.js";
 import { edited, fields, given, load, materials, run, templates } from "./program.js";
-import { outdate, showResults } from "./results.js";
+import { markStale, showResults } from "./results.js";
 
 const FILE = "scenario.toml";
 const DATA = "calibrate.data";
@@ -12,7 +12,7 @@ const DATA = "calibrate.data";
 const LONGEST = 20000;
 const isTooLong = () => data !== undefined && data.length >= LONGEST;
 
-const at = (id) => document.getElementById(id);
+const byId = (id) => document.getElementById(id);
 let text = "";
 let data;
 let form;
@@ -21,18 +21,18 @@ let later;
 let emptied = null;
 
 /** Takes another text, shows it everywhere, and runs it. */
-function take(newText) {
+function setScenario(newText) {
   text = newText;
-  if (at("text").value !== text) at("text").value = text;
+  if (byId("text").value !== text) byId("text").value = text;
   const values = given(text);
   // a text that is no TOML leaves the form as it was
-  at("form").toggleAttribute("inert", Boolean(values.error));
+  byId("form").toggleAttribute("inert", Boolean(values.error));
   if (!values.error) form.fill(values);
-  at("measured").hidden = data === undefined;
-  at("measured").firstElementChild.textContent = `measured: ${values[DATA] ?? "not used by the scenario"}`;
+  byId("measured").hidden = data === undefined;
+  byId("measured").firstElementChild.textContent = `measured: ${values[DATA] ?? "not used by the scenario"}`;
   // what was copied is not this scenario
-  at("told").textContent = "";
-  at("address").hidden = true;
+  byId("told").textContent = "";
+  byId("address").hidden = true;
   compute();
   // browsers take only some changes of the address a second
   clearTimeout(later);
@@ -40,8 +40,8 @@ function take(newText) {
 }
 
 function compute() {
-  at("results").ariaBusy = "true";
-  run(FILE, text, data, isNarrow(at("pictures")));
+  byId("results").ariaBusy = "true";
+  run(FILE, text, data, isNarrow(byId("pictures")));
 }
 
 /** Takes other values of keys, as they are typed. */
@@ -51,11 +51,11 @@ function change(changes) {
   const from = emptied?.path === path && emptied.after === text ? emptied.before : text;
   const after = changes.reduce((text, [path, value]) => edited(text, path, value), from);
   emptied = changes.length === 1 && value === "" ? { path, before: from, after } : null;
-  take(after);
+  setScenario(after);
 }
 
 /** The text without the comments of the first scenarios, which explain keys. */
-function bare(text) {
+function withoutTemplateComments(text) {
   const comments = new Set(Object.values(templates()).flatMap((text) => text.split("\n")).filter((line) => line.startsWith("#")));
   const lines = text.split("\n").filter((line) => !comments.has(line));
   return lines.join("\n").replace(/\n{3,}/g, "\n\n").replace(/^\n+/, "");
@@ -64,7 +64,7 @@ function bare(text) {
 /** Puts the scenario into the address. The text with all comments, and long measurements, stay in the history of this browser. */
 function address() {
   clearTimeout(later);
-  const link = new URLSearchParams({ scenario: bare(text) });
+  const link = new URLSearchParams({ scenario: withoutTemplateComments(text) });
   if (data !== undefined && !isTooLong()) link.set("data", data);
   const kept = isTooLong() ? { text, data } : { text };
   try {
@@ -80,20 +80,20 @@ function restore() {
   const link = new URLSearchParams(location.hash.slice(1));
   const linked = link.get("scenario");
   const { text: whole, data: measured } = history.state ?? {};
-  const isOfThisBrowser = whole !== undefined && bare(whole) === linked;
+  const isOfThisBrowser = whole !== undefined && withoutTemplateComments(whole) === linked;
   data = link.get("data") ?? (isOfThisBrowser ? measured : undefined);
-  take(isOfThisBrowser ? whole : linked ?? templates().impact);
+  setScenario(isOfThisBrowser ? whole : linked ?? templates().impact);
 }
 
 function done(reply) {
-  at("results").ariaBusy = "false";
+  byId("results").ariaBusy = "false";
   const { error, details } = reply;
   const cure = details?.needs ? cureOf(details.needs) : null;
-  const isAtField = form.complain(details?.key, details?.message, cure);
-  at("problem").hidden = !error;
-  at("problem").replaceChildren(error ?? "", ...(cure && !isAtField ? ["\n", cure] : []));
-  at("problem").classList.toggle("at-field", isAtField);
-  if (error) outdate();
+  const isAtField = form.showError(details?.key, details?.message, cure);
+  byId("problem").hidden = !error;
+  byId("problem").replaceChildren(error ?? "", ...(cure && !isAtField ? ["\n", cure] : []));
+  byId("problem").classList.toggle("at-field", isAtField);
+  if (error) markStale();
   else showResults(reply);
 }
 
@@ -111,43 +111,43 @@ function cureOf(key) {
 
 async function measure(file) {
   data = await file.text();
-  take(edited(text, DATA, file.name));
+  setScenario(edited(text, DATA, file.name));
 }
 
 async function copyLink() {
   address();
   try {
     await navigator.clipboard.writeText(location.href);
-    at("told").textContent = isTooLong() ? "copied without the measurements, which are too long for a link: send their file too" : "copied";
+    byId("told").textContent = isTooLong() ? "copied without the measurements, which are too long for a link: send their file too" : "copied";
   } catch {
     // a page that is not sent over https has no clipboard, and a user may refuse it
     const missing = isTooLong() ? " The measurements are too long for a link: send their file too." : "";
-    at("told").textContent = `The browser does not let the page copy. Copy the link from this field:${missing}`;
-    Object.assign(at("address"), { hidden: false, value: location.href }).select();
+    byId("told").textContent = `The browser does not let the page copy. Copy the link from this field:${missing}`;
+    Object.assign(byId("address"), { hidden: false, value: location.href }).select();
   }
 }
 
 function listen() {
-  at("text").addEventListener("input", () => take(at("text").value));
-  at("begin").addEventListener("change", () => {
-    const kind = at("begin").value;
+  byId("text").addEventListener("input", () => setScenario(byId("text").value));
+  byId("begin").addEventListener("change", () => {
+    const kind = byId("begin").value;
     if (!kind) return;
     // the way back leads to the scenario before
     address();
     history.pushState(null, "");
     data = undefined;
-    at("data").value = "";
-    take(templates()[kind]);
+    byId("data").value = "";
+    setScenario(templates()[kind]);
   });
-  at("data").addEventListener("change", () => at("data").files[0] && measure(at("data").files[0]));
-  at("without").addEventListener("click", () => {
+  byId("data").addEventListener("change", () => byId("data").files[0] && measure(byId("data").files[0]));
+  byId("without").addEventListener("click", () => {
     data = undefined;
-    at("data").value = "";
-    take(edited(text, DATA.split(".")[0], ""));
+    byId("data").value = "";
+    setScenario(edited(text, DATA.split(".")[0], ""));
   });
-  at("save").addEventListener("click", () => download(FILE, text));
-  at("link").addEventListener("click", copyLink);
-  const zone = at("drop");
+  byId("save").addEventListener("click", () => download(FILE, text));
+  byId("link").addEventListener("click", copyLink);
+  const zone = byId("drop");
   const over = (event) => {
     event.preventDefault();
     zone.classList.toggle("over", event.type === "dragover");
@@ -159,22 +159,22 @@ function listen() {
     if (event.dataTransfer.files[0]) measure(event.dataTransfer.files[0]);
   });
   window.addEventListener("popstate", restore);
-  onRoom(at("pictures"), compute);
+  onRoom(byId("pictures"), compute);
 }
 
 function openText() {
-  at("source").open = true;
-  at("text").focus();
+  byId("source").open = true;
+  byId("text").focus();
 }
 
 try {
   await load(done);
   const kinds = Object.keys(templates());
-  for (const kind of kinds) at("begin").append(new Option(kind.replace("_", " "), kind));
+  for (const kind of kinds) byId("begin").append(new Option(kind.replace("_", " "), kind));
   const usual = Object.keys(given(templates().impact));
-  form = makeForm(at("form"), { fields: fields(), materials: materials(), kinds, usual, changed: change, openText });
+  form = makeForm(byId("form"), { fields: fields(), materials: materials(), kinds, usual, changed: change, openText });
   listen();
   restore();
 } catch (error) {
-  at("state").textContent = `The program could not be loaded: ${error.message}`;
+  byId("state").textContent = `The program could not be loaded: ${error.message}`;
 }

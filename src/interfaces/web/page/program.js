@@ -10,23 +10,23 @@ export const materials = () => JSON.parse(program.materials());
 export const templates = () => JSON.parse(program.init());
 
 // A run that takes longer than this gives way to the next one.
-const PATIENCE = 1000;
+const TAKEOVER_MS = 1000;
 // After so many errors without a reply between them no new worker is made.
 const MAX_FAILURES = 3;
 
 let module;
 let worker = null;
-let begun = null;
+let startedAt = null;
 let next = null;
 let failures = 0;
-let tell;
+let onReply;
 
 /** Loads the program; `whenDone` is called with the reply to every run. */
 export async function load(whenDone) {
   const file = await fetch(new URL("plm_impact_bg.wasm", import.meta.url));
   module = await WebAssembly.compile(await file.arrayBuffer());
-  tell = whenDone;
-  engage();
+  onReply = whenDone;
+  startWorker();
   await init({ module_or_path: module });
 }
 
@@ -34,14 +34,14 @@ export async function load(whenDone) {
 export function run(name, text, data, isNarrow) {
   next = [name, text, data, isNarrow];
   // what a user asks for after the last failure is one more attempt
-  if (worker === null || (begun !== null && performance.now() - begun > PATIENCE)) engage();
-  if (begun === null) send();
+  if (worker === null || (startedAt !== null && performance.now() - startedAt > TAKEOVER_MS)) startWorker();
+  if (startedAt === null) send();
 }
 
 // A new worker: a program that was stopped, or has stopped by itself, is of no use any more.
-function engage() {
+function startWorker() {
   worker?.terminate();
-  begun = null;
+  startedAt = null;
   worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
   worker.onmessage = ({ data }) => {
     failures = 0;
@@ -53,26 +53,26 @@ function engage() {
     // a file that cannot be loaded has no message
     const error = `the program has an error: ${event.message ?? "its files cannot be loaded; is the server there?"}`;
     if (failures < MAX_FAILURES) {
-      engage();
+      startWorker();
       done({ error, details: {} });
     } else {
       worker.terminate();
       worker = null;
-      begun = next = null;
-      tell({ error: `${error} (${failures} times in a row); load the page again`, details: {} });
+      startedAt = next = null;
+      onReply({ error: `${error} (${failures} times in a row); load the page again`, details: {} });
     }
   };
   worker.postMessage(module);
 }
 
 function send() {
-  begun = performance.now();
+  startedAt = performance.now();
   worker.postMessage(next);
   next = null;
 }
 
 function done(reply) {
-  begun = null;
+  startedAt = null;
   if (next) send();
-  else tell(reply);
+  else onReply(reply);
 }

@@ -31,11 +31,11 @@ export function makeRow(first, materials, changed) {
     changed([[field.path, value]]);
     isTyping = false;
     known = value;
-    echo();
+    showUnit();
   }
 
   // a number that is written alone is in SI, which is said beside it
-  function echo() {
+  function showUnit() {
     const value = input.value.trim();
     unit.textContent = value && Number.isFinite(Number(value.replaceAll("_", ""))) ? field.unit ?? "" : "";
   }
@@ -80,18 +80,18 @@ export function makeRow(first, materials, changed) {
     }
     if (key === "material") about.textContent = material ? material.title : field.about;
     if (!field.words) input.placeholder = material?.values[field.path] ?? (field.default || `such as ${field.example}`);
-    echo();
+    showUnit();
   }
 
   /** Shows what is wrong, with a button that cures it, if there is one. */
-  function complain(message, key, cure) {
+  function showError(message, key, cure) {
     if (key) show(fields.find((one) => one.path === key));
     error.hidden = !message;
     error.replaceChildren(message ?? "", ...(cure ? [" ", cure] : []));
     input.setAttribute("aria-invalid", String(Boolean(message)));
   }
 
-  return { line, input, add, fill, isGiven, complain };
+  return { line, input, add, fill, isGiven, showError };
 }
 
 // The title without the name of the group in which it stands.

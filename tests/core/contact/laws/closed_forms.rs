@@ -45,7 +45,7 @@ fn thornton_gives_his_closed_form() {
 #[test]
 fn johnson_gives_his_closed_form() {
     let scene = Scene::case_3();
-    let contact = scene.contact_by(LawChoice::from_name("johnson").unwrap().get());
+    let contact = scene.contact_by(LawChoice::from_name("johnson").unwrap().as_contact_law());
     for speed in [1.0, 3.0, 10.0] {
         let e = contact.closed_form(speed).unwrap().restitution;
         let (p_d, coefficient) = (3.0 * 345e6, 0.3 * PI.powf(1.25) * 4_f64.powf(0.75));
@@ -80,7 +80,7 @@ fn two_straight_lines_give_one_restitution() {
 #[test]
 fn uniform_pressure_unloads_like_stack_of_punches() {
     use std::f64::consts::PI;
-    let law = law_of(LawChoice::from_name("mesarovic_johnson").unwrap().get());
+    let law = law_of(LawChoice::from_name("mesarovic_johnson").unwrap().as_contact_law());
     let peak = law.loaded_state(200.0);
     let unloading = law.unloading(peak);
     for t in [0.01_f64, 0.3, 0.7, 0.99, 1.0] {

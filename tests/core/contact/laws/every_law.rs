@@ -11,7 +11,7 @@ use crate::common::prelude::*;
 fn at_first_yield_nothing_is_lost() {
     let mut compared = 0;
     for (name, choice) in whole_laws() {
-        let law = law_of(choice.get());
+        let law = law_of(choice.as_contact_law());
         let until = law.validity.elastic_until;
         // not for laws without an elastic regime, and not for unloading from uniform pressure, which is wrong at yield
         if until == 0.0 || until.is_infinite() || name.contains("mesarovic") {
@@ -34,7 +34,7 @@ fn at_first_yield_nothing_is_lost() {
 fn plm_from_its_two_halves_is_the_plm() {
     let scene = Scene::case_3();
     let whole = scene.contact();
-    let halves = scene.contact_by(LawChoice::from_name("plm + plm").unwrap().get());
+    let halves = scene.contact_by(LawChoice::from_name("plm + plm").unwrap().as_contact_law());
     for speed in [1e-3, 0.05, 1.0, 10.0] {
         assert_eq!(whole.closed_form(speed).unwrap(), halves.closed_form(speed).unwrap());
     }
@@ -43,7 +43,7 @@ fn plm_from_its_two_halves_is_the_plm() {
 #[test]
 fn outside_its_range_a_law_has_no_answer() {
     let refused = |name: &str, x: f64| {
-        let law = law_of(LawChoice::from_name(name).unwrap().get());
+        let law = law_of(LawChoice::from_name(name).unwrap().as_contact_law());
         law.check(&law.unloading(law.loaded_state(x))).err().map(|error| error.to_string())
     };
     // laws without an elastic regime: the dent would be negative
@@ -64,7 +64,7 @@ fn outside_its_range_a_law_has_no_answer() {
     // loading is stiffer than Hertz, so there is no dent from which the shifted Hertz curve could start
     assert!(refused("stronge + yigit_christoforou", 5.2).is_some());
     // the impact returns this error
-    let contact = Scene::case_3().contact_by(LawChoice::from_name("mesarovic_johnson").unwrap().get());
+    let contact = Scene::case_3().contact_by(LawChoice::from_name("mesarovic_johnson").unwrap().as_contact_law());
     assert!(contact.impact(0.01, &solver(Method::Rk8, 1e-10), None).unwrap_err().to_string().contains("no answer"));
     assert!(contact.row(0.01, &Solver::AUTO).is_err());
 }
@@ -105,7 +105,7 @@ fn refusal_counts_yield_indentations_of_law() {
 fn damped_impact_is_judged_by_own_peak() {
     let choice = LawChoice::from_name("thornton + jackson_green").unwrap();
     let damped = Forces { damping: Some(Damping::Viscous(0.8)), ..Forces::default() };
-    let bare = Scene::steel().contact_by(choice.get());
+    let bare = Scene::steel().contact_by(choice.as_contact_law());
     assert!(matches!(bare.closed_form(200.0), Err(ImpactError::Law(LawError::Range { .. }))));
     let contact = bare.with_forces(damped);
     let impact = |speed: f64| contact.impact(speed, &solver(Method::Rk8, 1e-8), None);
@@ -131,7 +131,7 @@ fn plm_with_its_own_unloading_is_plm() {
         let combined = LawChoice::Combined(Combined { loading: one, unloading: other });
         let nested = Combined { loading: Box::new(combined.clone()), unloading: Box::new(plm.clone()) };
         let of = |law: &LawChoice| {
-            let contact = Contact::try_new(input.sphere(), input.half_space(), law.get()).unwrap();
+            let contact = Contact::try_new(input.sphere(), input.half_space(), law.as_contact_law()).unwrap();
             contact.with_rate_dependence(input.rates(), law)
         };
         let [plain, combined, nested] = [plm, combined, LawChoice::Combined(nested)].map(|law| of(&law));
@@ -154,7 +154,7 @@ fn plm_with_its_own_unloading_is_plm() {
     let whole = LawChoice::Combined(Combined { loading: one, unloading: other });
     let half = LawChoice::Combined(Combined { loading: thornton, unloading: Box::new(input.law()) });
     for law in [input.law(), whole, half] {
-        let error = Contact::try_new(input.sphere(), input.half_space(), law.get()).unwrap_err();
+        let error = Contact::try_new(input.sphere(), input.half_space(), law.as_contact_law()).unwrap_err();
         assert!(matches!(error, ImpactError::Law(LawError::BothFlow { .. })), "{error}");
     }
 }

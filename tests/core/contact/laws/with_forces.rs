@@ -3,7 +3,7 @@
 use crate::common::prelude::*;
 
 fn under(scene: &Scene, law: &LawChoice, gravity: Option<f64>, damping: Option<Damping>) -> Contact {
-    scene.contact_by(law.get()).with_forces(Forces { gravity, damping, ..Forces::default() })
+    scene.contact_by(law.as_contact_law()).with_forces(Forces { gravity, damping, ..Forces::default() })
 }
 
 fn by_name(name: &str) -> LawChoice {
@@ -28,7 +28,7 @@ fn energy_that_leaves_no_dent_is_accounted_for() {
     // and (2/5) F δ is recovered, so e² = 4/5
     let scene = Scene::case_3();
     for name in ["johnson + plm", "mesarovic_johnson + plm"] {
-        let plain = scene.contact_by(by_name(name).get());
+        let plain = scene.contact_by(by_name(name).as_contact_law());
         let speed = 4.0 * unit_speed(&plain);
         let weight = gravity_of(&scene, 1e-6);
         for contact in [plain.clone(), plain.with_forces(Forces { gravity: Some(weight), ..Forces::default() })] {

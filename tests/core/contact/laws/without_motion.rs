@@ -6,7 +6,7 @@ use crate::common::prelude::*;
 
 fn contact_under_law(law: &LawChoice) -> StaticContact {
     let (sphere, half_space) = Scene::case_3().bodies();
-    StaticContact::try_new(&sphere, &half_space, law.get()).unwrap()
+    StaticContact::try_new(&sphere, &half_space, law.as_contact_law()).unwrap()
 }
 
 /// Between about 1.1 and 2.5 yield indentations the law of Stronge would give back more energy than it takes. A step
@@ -22,7 +22,10 @@ fn step_beyond_range_of_law_is_named() {
     // a law without loading is refused
     let (sphere, half_space) = Scene::case_3().bodies();
     let brake = LawChoice::from_name("brake").unwrap();
-    assert!(matches!(StaticContact::try_new(&sphere, &half_space, brake.get()), Err(IndentationError::Law(_))));
+    assert!(matches!(
+        StaticContact::try_new(&sphere, &half_space, brake.as_contact_law()),
+        Err(IndentationError::Law(_))
+    ));
 }
 
 /// A memory that was lost (NaN), or that no contact can have, is not taken for another one; and no indentation spoils a memory

@@ -145,5 +145,5 @@ fn heading(table: &str) -> String {
         None => format!("`[{table}]`"),
     };
     let law = table.strip_prefix("law.").and_then(LawChoice::from_name);
-    law.map_or(name.clone(), |law| format!("{name}: {}", law.about().title))
+    law.map_or(name.clone(), |law| format!("{name}: {}", law.info().title))
 }
