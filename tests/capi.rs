@@ -84,7 +84,7 @@ fn libraries() -> [PathBuf; 2] {
     let built = test.parent().and_then(Path::parent).unwrap();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let source = folder.join("plm_impact_c.rs");
-    fs::write(&source, "pub use plm_impact::doors::c::*;").unwrap();
+    fs::write(&source, "pub use plm_impact::interfaces::c::*;").unwrap();
     let made = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
         .args(["--edition", "2024", "--crate-type", "staticlib,cdylib", "--extern"])
         .arg(format!("plm_impact={}", linked_library(built)))

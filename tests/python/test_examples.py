@@ -11,7 +11,7 @@ import plm_impact as plm
 import pytest
 from conftest import ROOT
 
-EXAMPLES = ROOT / "src" / "doors" / "python" / "examples"
+EXAMPLES = ROOT / "src" / "interfaces" / "python" / "examples"
 
 
 def run(*arguments: object, **options: object) -> str:
@@ -37,7 +37,7 @@ def test_python_of_pages_runs_without_warnings(page: str) -> None:
 
 def test_wheel_has_licences_of_linked_crates() -> None:
     licences = metadata.distribution("plm-impact").read_text("licenses/src/interfaces/licenses.txt")
-    assert licences == (ROOT / "src" / "doors" / "licenses.txt").read_text()
+    assert licences == (ROOT / "src" / "interfaces" / "licenses.txt").read_text()
     expression = metadata.metadata("plm-impact")["License-Expression"]
     assert "Bitstream-Vera" in expression and f": {expression}\n" in licences
 

@@ -1,4 +1,4 @@
-//! `[half_space.rate]` and `[sphere.rate]` through the doors: warnings, materials, tables, series, a calibration.
+//! `[half_space.rate]` and `[sphere.rate]` through the interfaces: warnings, materials, tables, series, a calibration.
 
 use std::fmt::Write as _;
 
