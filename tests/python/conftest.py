@@ -19,7 +19,7 @@ STEEL = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
 @pytest.fixture(scope="session")
 def command(request: pytest.FixtureRequest) -> Path:
     # the same build as in .ci/run, so that nothing is built twice
-    build = ["cargo", "test", "--no-run", "--test", "tables"]
+    build = ["cargo", "test", "--no-run", "--test", "table"]
     target = ROOT / os.environ.get("CARGO_TARGET_DIR", "target")
     with request.config.pluginmanager.getplugin("capturemanager").global_and_fixture_disabled():
         print(f"\nbuilding the command in {target}, which takes some minutes the first time: {' '.join(build)}", flush=True)
