@@ -31,7 +31,7 @@ pub use atomic_file::{
 };
 pub use progress::Progress;
 pub use provenance::{
-    FORMAT_VERSION, LawProvenance, MethodProvenance, PROGRAM, Provenance, RESULTS_VERSION, VERSION, hex,
+    FORMAT_VERSION, LawProvenance, MethodProvenance, PROGRAM, PROGRAM_NAME, Provenance, RESULTS_VERSION, VERSION, hex,
 };
 pub use signature::begins_like;
 pub use unfinished::abandon;

@@ -7,8 +7,11 @@ use serde::Serialize;
 /// Version of the program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+/// Name of the program, as pictures have it.
+pub const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
+
 /// Program and version, as they are written into files.
-pub const PROGRAM: &str = concat!("plm-impact ", env!("CARGO_PKG_VERSION"));
+pub const PROGRAM: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
 
 /// Version of the form of all outputs. Raise it when a key or a column is renamed, removed or put elsewhere, or changes its
 /// unit or meaning; a new key beside the others needs no new version.

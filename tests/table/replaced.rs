@@ -5,12 +5,14 @@ use crate::common::prelude::*;
 const RUN: [&str; 4] = ["run", "s.toml", "--out", "o"];
 
 /// A PNG of another program: its first chunk is followed by a text.
-fn other_png() -> Vec<u8> {
+fn other_png(program: Option<&str>) -> Vec<u8> {
     let mut file = Vec::new();
     let mut encoder =
         png::Encoder::new(&mut file, plm_impact::report::chart::SIZE.0, plm_impact::report::chart::SIZE.1);
     encoder.set_color(png::ColorType::Rgb);
-    encoder.add_text_chunk("Software".into(), "another".into()).unwrap();
+    if let Some(program) = program {
+        encoder.add_text_chunk("Software".into(), program.into()).unwrap();
+    }
     let pixels = vec![0; 3 * plm_impact::report::chart::SIZE.0 as usize * plm_impact::report::chart::SIZE.1 as usize];
     encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
     file
@@ -18,7 +20,7 @@ fn other_png() -> Vec<u8> {
 
 #[test]
 fn pictures_of_other_programs_are_kept() {
-    for mine in [other_png(), b"\x89PNG\r\n\x1a\nmine".to_vec()] {
+    for mine in [other_png(Some("another")), other_png(None), b"\x89PNG\r\n\x1a\nmine".to_vec()] {
         let desk = Sandbox::with(STEEL);
         desk.write("o/history.png", &mine);
         let said = desk.run_expecting(&RUN, 2).1;

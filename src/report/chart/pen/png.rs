@@ -8,6 +8,7 @@ use png::{BitDepth, ColorType, Encoder};
 
 use super::{BackendFormat, Pen, drawing_error};
 use crate::error::Error;
+use crate::files::PROGRAM_NAME;
 use crate::report::chart::{BACKGROUND, SIZE};
 
 /// The pixels of a PNG are means of 2 × 2 drawn pixels.
@@ -58,6 +59,8 @@ fn encode_png(buffer: &[u8]) -> Result<Vec<u8>, Error> {
     let mut encoder = Encoder::new(&mut file, SIZE.0, SIZE.1);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
+    // the name of the program tells a picture of the program from another one of the same size
+    encoder.add_text_chunk("Software".to_owned(), PROGRAM_NAME.to_owned()).map_err(drawing_error)?;
     let written = encoder.write_header().and_then(|mut writer| {
         writer.write_image_data(&pixels)?;
         writer.finish()
