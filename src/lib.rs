@@ -71,7 +71,7 @@
 //! use plm_impact::LawChoice;
 //!
 //! let thornton = LawChoice::from_name("thornton").ok_or("no such law")?;
-//! let contact = Contact::try_new(sphere, half_space, thornton.get())?;
+//! let contact = Contact::try_new(sphere, half_space, thornton.as_contact_law())?;
 //! let (slow, fast) = (contact.closed_form(0.1)?, contact.closed_form(10.0)?);
 //! assert!(slow.restitution > fast.restitution);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -106,7 +106,7 @@
 //! "#;
 //! let plan = Scenario::from_text("steel", text, &[])?.plan()?;
 //! let mut rows = Rows::default();
-//! Evaluator::new(&plan).rows(0..5, &mut rows);
+//! Evaluator::new(&plan).append_rows(0..5, &mut rows);
 //! let restitutions: Vec<f64> = rows.results.iter().flatten().map(|row| row.restitution).collect();
 //! assert!(restitutions.len() == 5 && restitutions.is_sorted_by(|slow, fast| slow > fast));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -26,7 +26,7 @@ fn calibration() -> Drawing {
         };
         table(desk, "residuals", &[("quantity", "restitution")]).into_iter().flat_map(ends).collect()
     };
-    let (fitted, residuals, laws) = ("calibrate::fitted", "calibrate::residuals", "calibrate::laws");
+    let (fitted, residuals, laws) = ("calibrate::fit_chart", "calibrate::residual_chart", "calibrate::law_chart");
     drawing(
         scenario,
         vec![

@@ -59,13 +59,13 @@ fn sweeps() -> Vec<Drawing> {
     let angles = "[sweep]\n\"impact.angle\" = { linspace = [\"5 deg\", \"85 deg\"], points = 17 }\n";
     let picture = "[output]\npicture = [\"restitution\", \"peak_force_N\"]\n";
     let curve = |picture, column| {
-        shown("sweep::curves", picture, 0, Line(BLUE), columns("table", &[], ["impact_speed_m_per_s", column]))
+        shown("sweep::curve_chart", picture, 0, Line(BLUE), columns("table", &[], ["impact_speed_m_per_s", column]))
     };
     let rebound = |panel, column| {
-        shown("sweep::rebounds", "rebound", panel, Line(BLUE), columns("table", &[], ["impact_angle_rad", column]))
+        shown("sweep::rebound_chart", "rebound", panel, Line(BLUE), columns("table", &[], ["impact_angle_rad", column]))
     };
     let bar = |at: f64, law: &'static str, color| {
-        shown("sweep::columns", "restitution", 0, Area(color), move |desk| {
+        shown("sweep::column_chart", "restitution", 0, Area(color), move |desk| {
             let rows = table(desk, "table", &[("law", law)]);
             [at - 0.4, at, at + 0.4].map(|x| (x, cell(&rows[0], "restitution"))).into()
         })
@@ -103,7 +103,7 @@ fn bins(desk: &Sandbox) -> Points {
 
 fn repeats() -> Vec<Drawing> {
     let series = |panel, color, column| {
-        shown("repeat::impacts", "impacts", panel, Line(color), columns("impacts", &[], ["impact", column]))
+        shown("series::impacts_chart", "impacts", panel, Line(color), columns("impacts", &[], ["impact", column]))
     };
     let first_loop = |desk: &Sandbox| -> Points {
         let mut rows = table(desk, "trace", &[("impact", "1")]);
@@ -130,18 +130,18 @@ fn repeats() -> Vec<Drawing> {
                 series(0, ORANGE, "impact_speed_m_per_s"),
                 series(1, BLUE, "restitution"),
                 series(2, VERMILLION, "residual_indentation_m"),
-                shown("repeat::loops", "force_indentation", 0, Through(BLUE), first_loop),
+                shown("series::loops_chart", "force_indentation", 0, Through(BLUE), first_loop),
             ],
         ),
         drawing(
             format!("{STEEL}{GRAVITY}[repeat]\nimpacts = 4\nspot = \"fresh\"\n"),
-            vec![shown("repeat::height", "height", 0, Through(BLUE), tops("time_s"))],
+            vec![shown("series::height_chart", "height", 0, Through(BLUE), tops("time_s"))],
         ),
         drawing(
             format!("{}{GRAVITY}[repeat]\nimpacts = 4\nspot = \"fresh\"\n", oblique()),
             vec![
-                shown("repeat::path", "path", 0, Through(BLUE), tops("position_m")),
-                shown("repeat::path", "path", 0, Marks(VERMILLION), hits),
+                shown("series::path_chart", "path", 0, Through(BLUE), tops("position_m")),
+                shown("series::path_chart", "path", 0, Marks(VERMILLION), hits),
             ],
         ),
     ]

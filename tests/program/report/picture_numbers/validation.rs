@@ -36,7 +36,7 @@ fn crossed(
 const EXPONENTS: [&str; 2] = ["load cycle: restitution, exponent 3/2", "load cycle: restitution, pressure-shape"];
 
 fn load_cycles() -> Vec<Shown> {
-    let (off, by_depth) = ("pictures::off_by_depth", "pictures::by_depth");
+    let (off, by_depth) = ("pictures::restitution_error_against_depth", "pictures::restitution_against_depth");
     let cases = [("case1", BLUE), ("case2", VERMILLION), ("case3", GREEN), ("case4", PURPLE), ("case5", ORANGE)];
     let deviations = |(panel, quantity): (usize, &'static str)| {
         cases.map(|(name, color)| {
