@@ -15,13 +15,22 @@
 //!
 //! Lines that begin with `#` are comments.
 
-use crate::error::Error;
+use crate::error::{Details, Error};
 use crate::scenario::input::{MeasuredQuantity, NUMERIC_KEYS, NumericKey};
 use crate::scenario::keys::Quantity;
 use crate::scenario::keys::quantity::{INDENTATION, LOAD};
-use crate::strings::csv::{CsvReader, csv_file_error};
+use crate::strings::csv::{CsvError, CsvReader};
 use crate::strings::did_you_mean;
 use crate::units::{Dimension, parse};
+
+/// Makes errors of the file of measurements `name`, with the line.
+pub(super) fn csv_file_error(name: &str) -> impl Fn(CsvError) -> Error + Copy {
+    move |(line, message)| {
+        let at = line.map(|line| format!(":{line}")).unwrap_or_default();
+        let error = Error::input(format!("{name}{at}: {message}"));
+        error.with_details(Details { message: Some(message), file: Some(name.to_owned()), line, ..Details::default() })
+    }
+}
 
 /// A measured value.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,7 +9,7 @@ use super::{Requirement, ResultSpec, result_specs};
 use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::{Contact, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound};
-use crate::scenario::keys::interval::RestitutionInterval;
+use crate::results::restitution_interval::RestitutionInterval;
 
 /// One impact.
 #[derive(Debug, Clone, Copy)]

@@ -14,6 +14,7 @@
 
 pub(crate) mod entry;
 pub mod impact;
+pub mod restitution_interval;
 pub mod series;
 pub mod trace;
 

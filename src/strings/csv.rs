@@ -4,18 +4,8 @@
 
 use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
 
-use crate::error::{Details, Error};
-
 /// The line, counted from 1, and what is wrong there.
 pub type CsvError = (Option<u64>, String);
-
-pub(crate) fn csv_file_error(name: &str) -> impl Fn(CsvError) -> Error + Copy {
-    move |(line, message)| {
-        let at = line.map(|line| format!(":{line}")).unwrap_or_default();
-        let error = Error::input(format!("{name}{at}: {message}"));
-        error.with_details(Details { message: Some(message), file: Some(name.to_owned()), line, ..Details::default() })
-    }
-}
 
 /// A text of which the names of the columns have been read.
 #[derive(Debug)]

@@ -5,9 +5,9 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use super::parts::{IntervalPart, PartKind};
 use crate::contact::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::impact::Contact;
+use crate::results::restitution_interval::{IntervalPart, PartKind};
 use crate::scenario::input::{Body, Input};
 use crate::scenario::keys::body_key;
 use crate::strings::names::named_enum;

@@ -9,17 +9,16 @@
 //! is known, because this is the measured restitution.
 
 pub mod law_error;
-mod parts;
 mod strength;
 
 use self::law_error::{has_law_error, law_error, poissons_ratio_part};
-pub use self::parts::{IntervalPart, PartKind, RestitutionInterval, SMALL};
-use self::parts::{LAW_BIAS, LAW_SCATTER};
 use self::strength::{HardnessRange, strength_parts};
 pub use self::strength::{HardnessRanges, WHICH_STRENGTH, expected_notes, has_strength_parts, strength_notes};
 use crate::contact::law::LawChoice;
 use crate::impact::{Approach, Bias, Contact, Forces, ImpactRow, Plate, PlateTheory, Solver};
 use crate::numerics::functions::powi;
+pub use crate::results::restitution_interval::{IntervalPart, PartKind, RestitutionInterval, SMALL};
+use crate::results::restitution_interval::{LAW_BIAS, LAW_SCATTER};
 use crate::scenario::input::Input;
 
 /// A smaller relative change of e is rounding.

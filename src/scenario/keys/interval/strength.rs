@@ -2,11 +2,11 @@
 //! strain rate. The sizes are those of the table in `scenarios/README.md#which-strength` and of `scenarios/trust.md#strain-rate`.
 
 use super::law_error::paper_exponent_error;
-use super::parts::{HARDNESS, IntervalPart, PartKind};
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::{Contact, TOO_HIGH_BY};
 use crate::materials::{MaterialEntry, PropertyValue};
+use crate::results::restitution_interval::{HARDNESS, IntervalPart, PartKind};
 use crate::scenario::input::{Body, Input};
 use crate::scenario::keys::{body_key, key};
 use crate::units::{Dimension, format_input};

@@ -8,10 +8,10 @@ use crate::numerics::functions::log10;
 pub const SMALL: f64 = 0.02;
 
 /// The name of a part for a range of hardness begins with this.
-pub(super) const HARDNESS: &str = "hardness";
+pub(crate) const HARDNESS: &str = "hardness";
 /// Names of the two parts of the law. The text of an interval shows them as one.
-pub(super) const LAW_BIAS: &str = "law, mean error";
-pub(super) const LAW_SCATTER: &str = "law, scatter";
+pub(crate) const LAW_BIAS: &str = "law, mean error";
+pub(crate) const LAW_SCATTER: &str = "law, scatter";
 
 /// The effect of a part on the interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
