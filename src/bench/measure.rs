@@ -4,7 +4,7 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use super::problems::Problem;
+use super::problems::BenchProblem;
 use crate::impact::solve::{closed_form, verlet};
 use crate::impact::{Method, Solution, Solver, solve};
 use crate::numerics::functions::pow;
@@ -15,7 +15,7 @@ use crate::numerics::power::nan_max;
 pub const METHODS: [Method; 5] = [Method::Rk8, Method::Dop853, Method::Dopri5, Method::Verlet, Method::ClosedForm];
 
 /// True if a method solves a problem: there is no closed form under viscous damping, or on a plate.
-pub fn is_applicable(method: Method, problem: &Problem) -> bool {
+pub fn is_applicable(method: Method, problem: &BenchProblem) -> bool {
     method != Method::ClosedForm || problem.forces.is_none()
 }
 
@@ -71,7 +71,7 @@ impl Timing {
 
 impl Setting {
     /// One impact with its cost. Fixed steps have a phase.
-    fn run(self, method: Method, phase: f64, problem: &Problem) -> Result<Solution, IntegrationError> {
+    fn run(self, method: Method, phase: f64, problem: &BenchProblem) -> Result<Solution, IntegrationError> {
         let (law, speed, forces) = (black_box(&problem.law), black_box(problem.speed), &problem.forces);
         match self {
             Self::Exact => Ok(Solution::new(closed_form::solve(law, speed), SolverStats::default())),
@@ -86,7 +86,7 @@ impl Setting {
     }
 
     /// Runs a setting for its time alone. An exact outcome is not moved, because the move would show in its time.
-    fn run_discarding(self, method: Method, problem: &Problem) {
+    fn run_discarding(self, method: Method, problem: &BenchProblem) {
         match self {
             Self::Exact => _ = black_box(&closed_form::solve(black_box(&problem.law), black_box(problem.speed))),
             _ => _ = black_box(&self.run(method, PHASES[0], problem)),
@@ -95,7 +95,7 @@ impl Setting {
 
     /// Its errors and its cost, but for the time; `None` if a run fails, as with a Verlet step so coarse that the sphere never
     /// leaves. With a fixed step the largest error of all phases counts.
-    fn evaluate(self, method: Method, problem: &Problem) -> Option<Timing> {
+    fn evaluate(self, method: Method, problem: &BenchProblem) -> Option<Timing> {
         let relative = |got: f64, want: f64| (got / want - 1.0).abs();
         let phases = if matches!(self, Self::Steps(_)) { &PHASES[..] } else { &PHASES[..1] };
         let exact = &problem.exact;
@@ -115,7 +115,7 @@ impl Setting {
 }
 
 /// Measures every method on a problem, with all settings that do not fail. Each round times every setting for about `burst`.
-pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Timing> {
+pub fn measure(problem: &BenchProblem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Timing> {
     let methods = METHODS.into_iter().filter(|method| is_applicable(*method, problem));
     let settings =
         methods.flat_map(|method| settings_for(method, is_quick).into_iter().map(move |setting| (method, setting)));

@@ -22,7 +22,7 @@ use crate::numerics::power::quarter_period_factor;
 
 /// An impact in dimensionless form, with its exact outcome.
 #[derive(Debug, Clone)]
-pub struct Problem {
+pub struct BenchProblem {
     pub name: &'static str,
     /// A description for a reader of the report.
     pub description: &'static str,
@@ -38,7 +38,7 @@ pub struct Problem {
     pub exact: ScaledResult,
 }
 
-impl Problem {
+impl BenchProblem {
     /// `contact_time` in units of L/V.
     fn new(
         name: &'static str,
@@ -83,7 +83,7 @@ pub fn kinked_law() -> Law {
 /// A Hertzian law whose unloading has another stiffness, ε = (f/k)^(2/3).
 pub fn stiff_law(k: f64) -> Law {
     let loading = Loading::new(LoadingCurve::hertz().then_line(1.0, 1.5), 1.0, |x, _| x.sqrt());
-    Law::published(loading, hertz_unloading(move |peak| pow(peak.force / k, 2.0 / 3.0)))
+    Law::from_published(loading, hertz_unloading(move |peak| pow(peak.force / k, 2.0 / 3.0)))
 }
 
 /// The contact of a steel ball of 5 mm radius with steel of 345 MPa, under a law.
@@ -101,18 +101,18 @@ fn steel_ball(exponent: Option<f64>, speed: f64) -> Result<(Law, f64), ImpactErr
 }
 
 /// The hardened impact, the damped one, and the one on a plate.
-fn user_problems() -> Result<[Problem; 3], ImpactError> {
+fn user_problems() -> Result<[BenchProblem; 3], ImpactError> {
     let (law, speed) = steel_ball(Some(0.2), 3.0)?;
     let exact = closed_form::solve(&law, speed);
     let about =
         "PLM, steel sphere of 5 mm radius at 3 m/s on a half-space that hardens with the power 0.2 of the strain";
-    let hardened = Problem { name: "hardened", description: about, law, speed, forces: ScaledForces::NONE, exact };
+    let hardened = BenchProblem { name: "hardened", description: about, law, speed, forces: ScaledForces::NONE, exact };
     let (law, speed) = steel_ball(None, 3.0)?;
     let forces = ScaledForces { damping: Damping::Viscous(0.1).scaled_coefficients(1.0), ..ScaledForces::NONE };
     let solver = Solver { method: Method::Rk8, tolerance: 1e-14, ..Solver::default() };
     let exact = solve(&law, speed, &forces, None, &solver, None)?.outcome;
     let about = "PLM, steel sphere of 5 mm radius on steel at 3 m/s, with a tenth of critical viscous damping";
-    let damped = Problem { name: "damped", description: about, law, speed, forces, exact };
+    let damped = BenchProblem { name: "damped", description: about, law, speed, forces, exact };
     let (law, speed) = steel_ball(None, 1.0)?;
     let forces = ScaledForces {
         damping: DampingCoefficients { plate: 0.090_413_272_576_400_49 / FORCE_FACTOR, ..DampingCoefficients::NONE },
@@ -127,10 +127,10 @@ fn user_problems() -> Result<[Problem; 3], ImpactError> {
         ..by_rk8
     };
     let about = "PLM, steel sphere of 5 mm radius on steel at 1 m/s, on a plate with Zener's number 0.2";
-    Ok([hardened, damped, Problem { name: "plate", description: about, law, speed, forces, exact }])
+    Ok([hardened, damped, BenchProblem { name: "plate", description: about, law, speed, forces, exact }])
 }
 
-pub fn problems() -> Result<Vec<Problem>, ImpactError> {
+pub fn problems() -> Result<Vec<BenchProblem>, ImpactError> {
     let p2 = kinked_law();
     let p3 = Law::new(LoadingCurve::clone(&p2.loading).then_line(60.0, 0.75), p2.validity, p2.unloading_rule.clone());
     // √(m/k_1) in units of δ_Y/V, with k_1 = (3/2) F_Y/δ_Y: x'' = −(5/4) (3/2) x
@@ -142,12 +142,12 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
         let half_space = HalfSpace::flat(STEEL, Some(yield_strength));
         let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
         let (scales, law, q) = contact.scaling(speed)?;
-        Ok::<_, ImpactError>(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))
+        Ok::<_, ImpactError>(BenchProblem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))
     };
     let [hardened, damped, plate] = user_problems()?;
     Ok(vec![
-        Problem::new("P1", "Hertz alone", Law::hertz(), 1.0, 1.0, 2.943_275_184_324_704_7),
-        Problem::new(
+        BenchProblem::new("P1", "Hertz alone", Law::hertz(), 1.0, 1.0, 2.943_275_184_324_704_7),
+        BenchProblem::new(
             "P2",
             "Hertz, then one straight piece; 77 times the yield indentation",
             p2,
@@ -155,7 +155,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
             0.442_128_945_483_069_8,
             2.388_442_181_292_526_5 * unit,
         ),
-        Problem::new(
+        BenchProblem::new(
             "P3",
             "Hertz, then two straight pieces; 300 times the yield indentation",
             p3,

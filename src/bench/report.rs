@@ -3,7 +3,7 @@
 
 use super::laws::LawTiming;
 use super::measure::{METHODS, Setting, Timing, is_applicable};
-use super::problems::Problem;
+use super::problems::BenchProblem;
 use crate::error::Error;
 use crate::files::OutputFile;
 use crate::impact::Method;
@@ -12,13 +12,13 @@ use crate::report::chart::{Axis, Chart, Series};
 use crate::report::text::files::into_bytes;
 use crate::strings::markdown_table;
 
-pub type ProblemTimings = (Problem, Vec<Timing>);
+pub type ProblemTimings = (BenchProblem, Vec<Timing>);
 
 /// A column of `speed_vs_error.csv`: its name and its text.
-type Column = (&'static str, fn(&Timing) -> String);
+type BenchColumn = (&'static str, fn(&Timing) -> String);
 
 /// The columns behind that of the problem.
-const COLUMNS: [Column; 8] = [
+const COLUMNS: [BenchColumn; 8] = [
     ("method", |m| m.method.name().to_owned()),
     (
         "tolerance",

@@ -15,7 +15,8 @@ pub fn throughput(plan: &Plan, rounds: u32) -> Result<[f64; 2], Error> {
     let csv = CsvEncoder::new(plan);
     let mut best = [0.0; 2];
     for _ in 0..rounds {
-        let rates = [rows_per_second(plan, |rows| rows.results.len())?, rows_per_second(plan, |rows| csv.lines(rows))?];
+        let rates =
+            [rows_per_second(plan, |rows| rows.results.len())?, rows_per_second(plan, |rows| csv.rows_as_lines(rows))?];
         best = [0, 1].map(|k| f64::max(best[k], rates[k]));
     }
     Ok(best)

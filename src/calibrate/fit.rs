@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::minimise::{BasinSearch, ParameterPoint, ShareRange, is_equal_within_rounding};
-use super::problem::{PredictionError, Problem, STUDENT_DEGREES};
+use super::problem::{CalibrationProblem, PredictionError, STUDENT_DEGREES};
 use crate::numerics::functions::hypot;
 
 /// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
@@ -50,7 +50,7 @@ impl NoiseModel {
 #[derive(Debug, Clone)]
 pub struct Fit<'a> {
     /// Keys, law and measurements. Its standard deviations include the estimated noise.
-    pub problem: Problem<'a>,
+    pub problem: CalibrationProblem<'a>,
     /// The minima of all basins, the lowest first.
     pub minima: Vec<ParameterPoint>,
     /// Covariance of the keys, as shares of their ranges; `None` if the measurements do not determine a key.
@@ -62,7 +62,7 @@ pub struct Fit<'a> {
 
 impl<'a> Fit<'a> {
     /// Finds the best values of the keys.
-    pub fn new(mut problem: Problem<'a>, noise_model: &NoiseModel) -> Result<Self, PredictionError> {
+    pub fn new(mut problem: CalibrationProblem<'a>, noise_model: &NoiseModel) -> Result<Self, PredictionError> {
         let (values, keys, is_estimated) = (problem.used_values.len(), problem.free.len(), noise_model.is_estimated);
         let is_robust = problem.is_robust && !(is_estimated && values <= keys);
         problem.is_robust = is_robust && !is_estimated;
@@ -70,7 +70,7 @@ impl<'a> Fit<'a> {
         let mut found = BasinSearch::new(&problem).minima(&anywhere);
         let mut noise = match is_estimated {
             true if values <= keys => Noise::TooFew,
-            true => Noise::estimated(&problem, 1.0),
+            true => Noise::from_scale(&problem, 1.0),
             false => Noise::Given,
         };
         // a share of the noise is one of what the law gives. As a share of the readings it would give low readings more
@@ -100,7 +100,7 @@ impl<'a> Fit<'a> {
                     break;
                 }
                 whole *= scale;
-                noise = Noise::estimated(&problem, whole);
+                noise = Noise::from_scale(&problem, whole);
                 problem.deviations.iter_mut().for_each(|deviation| *deviation *= scale);
                 problem.is_robust = is_robust;
             }
@@ -109,7 +109,7 @@ impl<'a> Fit<'a> {
             } else if round < rounds {
                 let profile = BasinSearch::new(&problem);
                 let near = |place: &ParameterPoint| {
-                    place.shares.iter().map(|share| ShareRange::around(*share)).collect::<Vec<_>>()
+                    place.shares.iter().map(|share| ShareRange::with_centre(*share)).collect::<Vec<_>>()
                 };
                 found.iter().filter_map(|place| profile.minima(&near(place)).into_iter().next()).collect()
             } else {
@@ -159,7 +159,7 @@ impl<'a> Fit<'a> {
 }
 
 impl Noise {
-    fn estimated(problem: &Problem, scale: f64) -> Self {
+    fn from_scale(problem: &CalibrationProblem, scale: f64) -> Self {
         let freedom = (problem.used_values.len() - problem.free.len()) as f64;
         let is_share = problem.data.values.iter().all(|value| value.deviation.is_none());
         Self::Estimated { freedom, share: is_share.then_some(scale) }
@@ -189,7 +189,7 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Covariance of the shares: the inverse of the Fisher information; `None` if that has no inverse.
-fn covariance(problem: &Problem, matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+fn covariance(problem: &CalibrationProblem, matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     // with long tails the same residuals hold less information
     let factor = if problem.is_robust { (STUDENT_DEGREES + 1.0) / (STUDENT_DEGREES + 3.0) } else { 1.0 };
     let inverse = (matrix.tr_mul(matrix) * factor).try_inverse()?;
@@ -199,7 +199,7 @@ fn covariance(problem: &Problem, matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> 
 /// For each value (row), the change of each key (in shares) if this value were left out: the first step of Newton's
 /// method.
 pub(super) fn leave_one_out_shifts(
-    problem: &Problem,
+    problem: &CalibrationProblem,
     covariance: &DMatrix<f64>,
     matrix: &DMatrix<f64>,
     residuals: &[f64],
@@ -215,7 +215,7 @@ pub(super) fn leave_one_out_shifts(
 }
 
 /// The residuals, quantity after quantity, in the order of rising speed. Points of a curve stay in their order.
-pub(super) fn ordered_residuals(problem: &Problem, residuals: &[f64]) -> Vec<f64> {
+pub(super) fn ordered_residuals(problem: &CalibrationProblem, residuals: &[f64]) -> Vec<f64> {
     let speeds = problem.speeds();
     let mut sorted: Vec<usize> = (0..residuals.len()).collect();
     let value = |i: &usize| &problem.data.values[problem.used_values[*i]];

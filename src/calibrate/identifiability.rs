@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::data::{MeasuredValue, MeasurementData};
 use super::minimise::ParameterPoint;
-use super::problem::Problem;
+use super::problem::CalibrationProblem;
 use crate::numerics::functions::{exp, ln};
 use crate::scenario::input::MeasuredQuantity;
 use crate::units::{format_four_digits, format_percent};
@@ -36,7 +36,7 @@ pub struct Identifiability {
 
 /// Derivatives of the predictions by the logarithms of the keys, over the standard deviations: one column for every
 /// key.
-fn log_jacobian(problem: &Problem, place: &ParameterPoint) -> Option<DMatrix<f64>> {
+fn log_jacobian(problem: &CalibrationProblem, place: &ParameterPoint) -> Option<DMatrix<f64>> {
     let mut matrix = problem.jacobian(&place.shares).ok()?;
     for ((mut column, free), share) in matrix.column_iter_mut().zip(problem.free).zip(&place.shares) {
         let value = free.value_at_share(*share);
@@ -62,7 +62,7 @@ fn doubling_step(direction: &DVector<f64>) -> f64 {
 }
 
 /// How well the measurements determine the keys, at the best place; `None` without a key.
-pub fn identify(problem: &Problem, place: &ParameterPoint) -> Option<Identifiability> {
+pub fn identify(problem: &CalibrationProblem, place: &ParameterPoint) -> Option<Identifiability> {
     if problem.free.is_empty() {
         return None;
     }
@@ -88,14 +88,19 @@ pub fn identify(problem: &Problem, place: &ParameterPoint) -> Option<Identifiabi
 }
 
 /// Root mean square of the values of a quantity.
-fn typical_size(problem: &Problem, quantity: MeasuredQuantity) -> f64 {
+fn typical_size(problem: &CalibrationProblem, quantity: MeasuredQuantity) -> f64 {
     let values =
         problem.used_values.iter().map(|at| &problem.data.values[*at]).filter(|value| value.quantity == quantity);
     let (count, sum) = values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value.value * value.value));
     f64::sqrt(sum / count)
 }
 
-fn unidentifiable_message(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>, change: f64) -> String {
+fn unidentifiable_message(
+    problem: &CalibrationProblem,
+    place: &ParameterPoint,
+    direction: &DVector<f64>,
+    change: f64,
+) -> String {
     let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
     let off = format_percent(MODEL_ERROR);
     let statement = if let [name] = names[..] {
@@ -143,7 +148,11 @@ fn unidentifiable_message(problem: &Problem, place: &ParameterPoint, direction: 
 }
 
 /// Quantities that were not measured but change along a direction, each with its relative change.
-fn helpful_quantities(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>) -> Vec<(&'static str, f64)> {
+fn helpful_quantities(
+    problem: &CalibrationProblem,
+    place: &ParameterPoint,
+    direction: &DVector<f64>,
+) -> Vec<(&'static str, f64)> {
     if problem.data.is_curve() {
         return Vec::new();
     }

@@ -6,7 +6,7 @@
 
 use rayon::prelude::*;
 
-use super::problem::Problem;
+use super::problem::CalibrationProblem;
 
 /// This number of impacts is enough to find the cells with basins.
 const MAX_SCREENED_ROWS: usize = 1000;
@@ -46,7 +46,7 @@ impl ShareRange {
     }
 
     /// Up to a cell on each side of a share.
-    pub fn around(share: f64) -> Self {
+    pub fn with_centre(share: f64) -> Self {
         let cell = 1.0 / f64::from(CELLS);
         Self { low: (share - cell).max(0.0), high: (share + cell).min(1.0), cells: 4 }
     }
@@ -67,12 +67,12 @@ pub fn is_equal_within_rounding(a: f64, b: f64) -> bool {
 /// The problem with all measurements, and a smaller one with some of them, by which the basins are found.
 #[derive(Debug, Clone)]
 pub struct BasinSearch<'p, 'a> {
-    whole: &'p Problem<'a>,
-    subsampled: Problem<'a>,
+    whole: &'p CalibrationProblem<'a>,
+    subsampled: CalibrationProblem<'a>,
 }
 
 impl<'p, 'a> BasinSearch<'p, 'a> {
-    pub fn new(problem: &'p Problem<'a>) -> Self {
+    pub fn new(problem: &'p CalibrationProblem<'a>) -> Self {
         Self { whole: problem, subsampled: problem.subsampled(MAX_SCREENED_ROWS) }
     }
 
@@ -87,14 +87,19 @@ impl<'p, 'a> BasinSearch<'p, 'a> {
     }
 }
 
-fn profile_minimum(whole: &Problem, thinned: &Problem, ranges: &[ShareRange]) -> ParameterPoint {
+fn profile_minimum(whole: &CalibrationProblem, thinned: &CalibrationProblem, ranges: &[ShareRange]) -> ParameterPoint {
     let ranges: Vec<ShareRange> =
         ranges.iter().map(|range| ShareRange { cells: range.cells.min(CELLS_INSIDE), ..*range }).collect();
     let nowhere = || ParameterPoint { shares: ranges.iter().map(|range| range.low).collect(), sum: f64::INFINITY };
     find_minima(whole, thinned, &ranges, INNER_TOLERANCE).into_iter().next().unwrap_or_else(nowhere)
 }
 
-fn find_minima(whole: &Problem, thinned: &Problem, ranges: &[ShareRange], exact: f64) -> Vec<ParameterPoint> {
+fn find_minima(
+    whole: &CalibrationProblem,
+    thinned: &CalibrationProblem,
+    ranges: &[ShareRange],
+    exact: f64,
+) -> Vec<ParameterPoint> {
     let Some(key) = ranges.iter().position(|range| range.cells > 0) else {
         let shares: Vec<f64> = ranges.iter().map(|range| range.low).collect();
         let place = ParameterPoint { sum: whole.objective(&shares), shares };

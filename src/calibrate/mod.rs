@@ -38,8 +38,8 @@ use data::{MeasurementData, csv_file_error};
 pub use fit::{Fit, Noise};
 use fit::{NoiseModel, leave_one_out_shifts, ordered_residuals};
 use identifiability::{Identifiability, identify};
+use problem::CalibrationProblem;
 pub use problem::PredictionError;
-use problem::Problem;
 use result::OUTLIER_LIMIT;
 pub use result::{Calibration, KeyEstimate, LawFit, Verdict};
 use statistics::{chi_square_p_value, runs_test};
@@ -79,9 +79,9 @@ impl CalibrationTask {
     }
 
     /// The request and the data without deviations.
-    fn problem(&self) -> Problem<'_> {
+    fn problem(&self) -> CalibrationProblem<'_> {
         let ones = vec![1.0; self.data.values.len()];
-        Problem::new(&self.request.input, &self.request.free, &self.data, ones, false)
+        CalibrationProblem::new(&self.request.input, &self.request.free, &self.data, ones, false)
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -173,7 +173,8 @@ impl CalibrationTask {
         let deviations = noise.deviations(&self.data.error_scales());
         let mut input = self.request.input.clone();
         input.named_law.clone_from(law);
-        let problem = Problem::new(&input, &self.request.free, &self.data, deviations, self.request.is_robust);
+        let problem =
+            CalibrationProblem::new(&input, &self.request.free, &self.data, deviations, self.request.is_robust);
         Ok(Fit::new(problem.with_progress(progress), &noise))
     }
 

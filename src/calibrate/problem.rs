@@ -40,7 +40,7 @@ const CHUNK: usize = 512;
 /// Keys that are wanted, a law, and measurements with their noise. A place in the ranges of the keys is given by
 /// shares: 0 is the lower end of a range and 1 the upper end.
 #[derive(Debug, Clone)]
-pub struct Problem<'a> {
+pub struct CalibrationProblem<'a> {
     pub input: Input,
     /// The input in which the keys that are wanted, and those of the data, have a place.
     template: Input,
@@ -61,7 +61,7 @@ pub struct Problem<'a> {
     progress: Option<&'a Progress>,
 }
 
-impl<'a> Problem<'a> {
+impl<'a> CalibrationProblem<'a> {
     /// A problem with all rows of the data.
     pub fn new(
         input: &Input,
@@ -102,8 +102,8 @@ impl<'a> Problem<'a> {
     }
 
     /// Replaces the data, to predict them by the same keys and law: every standard deviation is 1.
-    pub fn for_prediction<'b>(&'b self, data: &'b MeasurementData) -> Problem<'b> {
-        Problem::new(&self.input, self.free, data, vec![1.0; data.values.len()], false)
+    pub fn for_prediction<'b>(&'b self, data: &'b MeasurementData) -> CalibrationProblem<'b> {
+        CalibrationProblem::new(&self.input, self.free, data, vec![1.0; data.values.len()], false)
     }
 
     /// Leaves at most `most` impacts, at even steps through the data. A curve keeps all points.

@@ -3,7 +3,7 @@
 
 use super::Calibration;
 use super::data::MeasuredValue;
-use super::problem::Problem;
+use super::problem::CalibrationProblem;
 use crate::impact::Warning;
 use crate::scenario::input::MeasuredQuantity;
 
@@ -39,7 +39,7 @@ impl Calibration<'_> {
 }
 
 /// The rows at the ends.
-fn extreme_rows(problem: &Problem) -> Vec<usize> {
+fn extreme_rows(problem: &CalibrationProblem) -> Vec<usize> {
     let rows = &problem.data.rows;
     let column = |at: usize| rows.iter().map(|row| row.keys[at]).collect();
     let ends_of = |values: Vec<f64>| {

@@ -82,7 +82,7 @@ pub enum Verdict {
 
 impl Verdict {
     /// True if the law fits; `None` if these measurements cannot tell.
-    pub fn fits(&self) -> Option<bool> {
+    pub fn is_compatible(&self) -> Option<bool> {
         match self {
             Self::Fits => Some(true),
             Self::Contradicted(_) => Some(false),
@@ -91,12 +91,12 @@ impl Verdict {
     }
 
     /// Why the law does not fit; `None` if it may.
-    pub fn contradiction(self) -> Option<String> {
+    pub fn contradiction_reason(self) -> Option<String> {
         if let Self::Contradicted(reason) = self { Some(reason) } else { None }
     }
 
     /// Why it cannot be judged whether the law fits, although it is off; `None` if it can.
-    pub fn undecided(self) -> Option<String> {
+    pub fn undecided_reason(self) -> Option<String> {
         if let Self::Undecided(reason) = self { Some(reason) } else { None }
     }
 }

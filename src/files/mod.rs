@@ -185,18 +185,18 @@ impl OutputDirectory {
         } else {
             format!("holds results of {other}, and these are of {own}")
         };
-        Err(self.refused(&format!("{whose}; name another --out, or replace them with --force")))
+        Err(self.refusal_error(&format!("{whose}; name another --out, or replace them with --force")))
     }
 
     /// The error of results of the same file with other overrides.
     fn other_overrides(&self, scenario: &str, command: Option<&str>) -> Error {
         let made_by = command.map_or_else(String::new, |command| format!(", made by `{command}`"));
-        self.refused(&format!(
+        self.refusal_error(&format!(
             "holds results of {scenario} with other --set or options{made_by}; name another --out, or replace these results with --force. Without --out other settings have a folder of their own"
         ))
     }
 
-    fn refused(&self, reason: &str) -> Error {
+    fn refusal_error(&self, reason: &str) -> Error {
         Error::for_file(ErrorKind::Input, &self.path.display().to_string(), reason)
     }
 

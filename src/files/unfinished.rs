@@ -18,13 +18,13 @@ struct Unfinished {
 static UNFINISHED: Mutex<Unfinished> =
     Mutex::new(Unfinished { files: BTreeSet::new(), folders: Vec::new(), is_abandoned: false });
 
-fn unfinished() -> MutexGuard<'static, Unfinished> {
+fn lock_unfinished() -> MutexGuard<'static, Unfinished> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Makes a new file that is unfinished from now on.
 pub(super) fn begin(path: &Path) -> io::Result<File> {
-    let mut unfinished = unfinished();
+    let mut unfinished = lock_unfinished();
     if unfinished.is_abandoned {
         return Err(io::ErrorKind::Interrupted.into());
     }
@@ -35,18 +35,18 @@ pub(super) fn begin(path: &Path) -> io::Result<File> {
 
 /// The file is in its place, or removed.
 pub(super) fn end(path: &Path) {
-    unfinished().files.remove(path);
+    lock_unfinished().files.remove(path);
 }
 
 /// These folders were made for the files; the deepest comes first.
 pub(super) fn add_folders(folders: &[PathBuf]) {
-    unfinished().folders.extend_from_slice(folders);
+    lock_unfinished().folders.extend_from_slice(folders);
 }
 
 /// Removes the unfinished files of a process that is about to end, and the folders that are empty then. No other file is begun
 /// from now on.
 pub fn abandon() {
-    let mut unfinished = unfinished();
+    let mut unfinished = lock_unfinished();
     unfinished.is_abandoned = true;
     for file in std::mem::take(&mut unfinished.files) {
         drop(fs::remove_file(file));

@@ -77,7 +77,7 @@ impl Contact {
         let mut plate = None;
         if let Some(under) = self.contact_plate()? {
             let free_time = undamped_contact_time(ground, q, &forces)? * scales.time();
-            let scaled = under.scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
+            let scaled = under.to_scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
             forces.damping.plate = scaled.mobility / FORCE_FACTOR;
             plate = Some(scaled);
         }

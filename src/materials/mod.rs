@@ -10,7 +10,7 @@ pub use entry::{MaterialClass, MaterialEntry, Property, PropertyValue, QuotedVal
 pub use file::read;
 
 /// All materials, in the order of the file.
-pub fn all() -> &'static [MaterialEntry] {
+pub fn all_materials() -> &'static [MaterialEntry] {
     static ALL: LazyLock<Vec<MaterialEntry>> =
         LazyLock::new(|| read(include_str!("materials.toml")).unwrap_or_default());
     &ALL
@@ -18,5 +18,5 @@ pub fn all() -> &'static [MaterialEntry] {
 
 /// The material of this name.
 pub fn find(name: &str) -> Option<&'static MaterialEntry> {
-    all().iter().find(|entry| entry.name == name)
+    all_materials().iter().find(|entry| entry.name == name)
 }

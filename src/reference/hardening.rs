@@ -32,7 +32,7 @@ impl ReferenceRow {
 
     /// How the half-space hardens: in words, such as "power 0.1". `None` if the words name no curve.
     pub fn curve(&self) -> Option<FlowCurve> {
-        let flow = self.text("flow");
+        let flow = self.cell_text("flow");
         let mut words = flow.split_whitespace();
         let form = words.next()?;
         let mut number = || words.next()?.parse().ok();

@@ -64,13 +64,13 @@ impl ReferenceTable {
 
 impl ReferenceRow {
     /// The text of a cell; empty if the cell does not exist.
-    pub fn text(&self, column: &str) -> &str {
+    pub fn cell_text(&self, column: &str) -> &str {
         self.0.get(column).map_or("", String::as_str)
     }
 
     /// The number in a cell; `None` where it is empty.
     pub fn optional_number(&self, column: &str) -> Option<f64> {
-        self.text(column).parse().ok()
+        self.cell_text(column).parse().ok()
     }
 
     /// The number in a cell; NaN if the cell holds no number.

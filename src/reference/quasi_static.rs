@@ -33,7 +33,7 @@ pub fn unloadings(sphere_modulus: f64, bodies: &YieldingPair) -> Vec<&'static Re
     let Some((case, _)) = case.filter(|_| (bodies.yield_point.poissons_ratio - 0.3).abs() <= 1e-9) else {
         return Vec::new();
     };
-    let mut rows: Vec<_> = UNLOADED.iter().filter(|row| row.text("case") == *case).collect();
+    let mut rows: Vec<_> = UNLOADED.iter().filter(|row| row.cell_text("case") == *case).collect();
     rows.sort_by(|a, b| a.number("x").total_cmp(&b.number("x")));
     rows
 }
@@ -49,7 +49,7 @@ pub(super) fn bodies(case: &str) -> Option<(Material, HalfSpace)> {
 /// Every unloading, with a sphere of 5 mm and the half-space of its case.
 pub fn load_cycles() -> impl Iterator<Item = (Sphere, HalfSpace, &'static ReferenceRow)> {
     UNLOADED.iter().filter_map(|row| {
-        let (sphere, half_space) = bodies(row.text("case"))?;
+        let (sphere, half_space) = bodies(row.cell_text("case"))?;
         Some((Sphere::elastic(5e-3, sphere, 7850.0), half_space, row))
     })
 }
@@ -64,7 +64,7 @@ mod tests {
         let rows = read_unloadings().unwrap_or_default();
         assert_eq!((rows.len(), UNLOADINGS.rows().unwrap_or_default().len()), (59, 63));
         for (case, _) in MATERIALS {
-            assert!(rows.iter().any(|row| row.text("case") == case));
+            assert!(rows.iter().any(|row| row.cell_text("case") == case));
         }
         // recovered work f ε/(n + 1) with n between 1.35 and 1.55 for every unloading but the shallowest
         for row in rows.iter().filter(|row| row.number("x") > 5.0) {

@@ -30,12 +30,12 @@ impl SeriesReport<'_> {
     }
 
     /// A value of the first impact; 0 for none.
-    fn first(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
+    fn first_value(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
         self.sequence.impacts.first().map_or(0.0, value)
     }
 
     /// A value of the last impact; 0 for none.
-    fn last(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
+    fn last_value(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
         self.sequence.impacts.last().map_or(0.0, value)
     }
 
@@ -44,7 +44,7 @@ impl SeriesReport<'_> {
         self.contact.forces().plate.map(|_| self.sequence.impacts.iter().filter_map(SeriesImpact::plate_energy).sum())
     }
 
-    fn largest(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
+    fn max_value(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
         self.sequence.impacts.iter().map(value).fold(0.0, nan_max)
     }
 }
@@ -66,13 +66,13 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         /// Why the series ended, as a sentence.
         "end" as "ended": end_text(series.repeat, series.sequence);
         /// Restitution of the last impact; with waves, if the half-space has a density.
-        "final_restitution" as "last restitution": series.last(|hit| hit.measured_restitution());
+        "final_restitution" as "last restitution": series.last_value(|hit| hit.measured_restitution());
         /// Rebound speed of the last impact.
-        "final_rebound_speed_m_per_s" in Speed as "rebound speed {}": series.last(|hit| hit.rebound_speed);
+        "final_rebound_speed_m_per_s" in Speed as "rebound speed {}": series.last_value(|hit| hit.rebound_speed);
         /// Largest contact force of all impacts.
-        "largest_peak_force_N" in Force: series.largest(|hit| hit.peak_force);
+        "largest_peak_force_N" in Force: series.max_value(|hit| hit.peak_force);
         /// Largest indentation of all impacts, from the original surface.
-        "largest_peak_indentation_m" in Length: series.largest(|hit| hit.peak_indentation);
+        "largest_peak_indentation_m" in Length: series.max_value(|hit| hit.peak_indentation);
         /// Depth of the deepest dent, with the flat on the sphere.
         "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: series.if_yields(series.sequence.deepest_dent());
         /// Gravity.
@@ -107,9 +107,9 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         "static_indentation_m" in Length as "rests at" if CAPTURED:
             series.bouncing_settings().and_then(|_| series.sequence.impacts.last()?.forces_value(|forces| forces.static_indentation));
         /// Kinetic energy at the first touch.
-        "energy.first_kinetic_in_J" in Energy: series.first(|hit| hit.kinetic_in);
+        "energy.first_kinetic_in_J" in Energy: series.first_value(|hit| hit.kinetic_in);
         /// Kinetic energy after the last impact.
-        "energy.last_recovered_J" in Energy: series.last(|hit| hit.energy.recovered);
+        "energy.last_recovered_J" in Energy: series.last_value(|hit| hit.energy.recovered);
         /// Energy radiated as elastic waves.
         "energy.waves_J" in Energy if WAVES:
             series.sequence.impacts.iter().filter_map(SeriesImpact::radiated_energy).reduce(|all, one| all + one);

@@ -8,7 +8,7 @@ use super::plan::varied::VariedKeys;
 use crate::contact::law::LawChoice;
 use crate::error::Error;
 use crate::materials::{MaterialEntry, PropertyValue};
-use crate::scenario::plan::{Axis, AxisWord, Distribution, HARDNESS, Variable, YIELD_STRENGTH};
+use crate::scenario::plan::{AxisWord, Distribution, HARDNESS, SweepAxis, Variable, YIELD_STRENGTH};
 
 impl VariedKeys {
     /// Finds the values that the bodies take from their named materials, for keys that the scenario does not give. A material that is
@@ -23,7 +23,7 @@ impl VariedKeys {
                 if !is_drawn {
                     continue;
                 }
-                let table = body.table();
+                let table = body.table_name();
                 return Err(refuse(format!(
                     "the body has no material to draw from: add material = \"steel-s235\", or another, to [{table}]"
                 )));
@@ -31,7 +31,7 @@ impl VariedKeys {
             let is_left = |at: KeyId<NUMBER>| self.defaults_to_material(input, document, body, &ALL_KEYS[at.index()]);
             let defaults = body.material_keys().into_iter().filter(|(at, _)| is_left(*at)).collect();
             let choice = BodyMaterial { body, material, defaults };
-            for word in self.sweep.iter_mut().flatten().flat_map(Axis::words_mut) {
+            for word in self.sweep.iter_mut().flatten().flat_map(SweepAxis::words_mut) {
                 if let AxisWord::Material(other) = word
                     && other.body == body
                 {
@@ -66,7 +66,7 @@ impl VariedKeys {
     /// The material of a body; its material in the first case if it varies.
     fn first_material(&self, input: &Input, body: Body) -> Option<&'static MaterialEntry> {
         let axis = self.sweep.iter().flatten().find(|axis| axis.path() == body.material());
-        match axis.map(Axis::words) {
+        match axis.map(SweepAxis::word_values) {
             Some([AxisWord::Material(first), ..]) => Some(first.material),
             _ => input.named_material(body),
         }
@@ -103,7 +103,7 @@ impl VariedKeys {
 
 /// True if the scenario gives `rate = "material"` for a body.
 pub(super) fn takes_rate_from_material(input: &Input, body: Body) -> bool {
-    input.text(body_key!(body, "rate")).is_some()
+    input.text_value(body_key!(body, "rate")).is_some()
 }
 
 /// The values of a material as random keys, uniform between the ends of their ranges.
@@ -121,8 +121,8 @@ fn random_material_keys(input: &Input, choice: &BodyMaterial) -> Vec<Variable> {
 
 impl Scenario {
     /// Refuses an axis of half-spaces of which some yield and some do not, because their tables have different columns.
-    pub(super) fn refuse_mixed_classes(&self, axes: &[Axis]) -> Result<(), Error> {
-        let materials = axes.iter().flat_map(Axis::words).filter_map(|word| match word {
+    pub(super) fn refuse_mixed_classes(&self, axes: &[SweepAxis]) -> Result<(), Error> {
+        let materials = axes.iter().flat_map(SweepAxis::word_values).filter_map(|word| match word {
             AxisWord::Material(choice) => {
                 choice.defaults.iter().any(|(at, _)| at.path() == HARDNESS).then_some(choice.material)
             }

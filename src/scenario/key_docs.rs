@@ -51,7 +51,7 @@ pub fn form_as_markdown(form: &ValueForm) -> String {
         ValueForm::Word(words) => word_choices(words),
         ValueForm::Text(example) | ValueForm::File(example) => format!("a text such as `\"{example}\"`"),
         ValueForm::Axes | ValueForm::Variables | ValueForm::Free => "a table, see below".to_owned(),
-        ValueForm::WordOrTable(words) => format!("{}, or a table", quoted(&(words.values)())),
+        ValueForm::WordOrTable(words) => format!("{}, or a table", join_quoted(&(words.values)())),
     }
 }
 
@@ -74,14 +74,14 @@ fn is_long(words: &WordList) -> bool {
 
 fn word_choices(words: &WordList) -> String {
     if !is_long(words) {
-        return quoted(&(words.values)());
+        return join_quoted(&(words.values)());
     }
     // the list of materials ends the page of keys; results have a page of their own
     let place = if words.plural == "results" { "results.md" } else { "#materials" };
     format!("one of the [{}]({place})", words.plural)
 }
 
-fn quoted(words: &[String]) -> String {
+fn join_quoted(words: &[String]) -> String {
     words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
 }
 

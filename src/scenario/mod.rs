@@ -105,7 +105,7 @@ impl Scenario {
             input.apply_material(choice);
         }
         input.set_materials(choices);
-        if let Some(name) = input.text(key!("calibrate.data")) {
+        if let Some(name) = input.text_value(key!("calibrate.data")) {
             let path = directory.join(name);
             // a file that cannot be read is refused where it is needed
             let text = texts.remove(DATA_KEY).or_else(|| document::read_text(&path, MAX_DATA_MIB).ok());

@@ -47,7 +47,7 @@ impl Scenario {
     pub fn source(&self) -> ScenarioSource {
         let files = self.files.iter().map(|(key, (_, text))| (key.clone(), text.clone()));
         ScenarioSource {
-            text: self.document.text().to_owned(),
+            text: self.document.original_text().to_owned(),
             overrides: self.document.overrides(),
             files: files.collect(),
         }
@@ -60,7 +60,7 @@ impl Scenario {
 
     /// Takes measurements that are known without the file `calibrate.data`.
     pub fn with_data(mut self, csv: String) -> Self {
-        let name = self.input.text(key!("calibrate.data")).unwrap_or_default();
+        let name = self.input.text_value(key!("calibrate.data")).unwrap_or_default();
         self.files.insert(DATA_KEY.to_owned(), (name.into(), csv));
         self
     }

@@ -10,7 +10,7 @@ pub(crate) use names::named_enum;
 pub use names::{did_you_mean, known_names};
 
 /// The text with a capital letter at its beginning.
-pub fn capital(text: &str) -> String {
+pub fn capitalise(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

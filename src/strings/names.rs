@@ -1,6 +1,6 @@
 //! Words that users write: enums whose values have names, and "did you mean", the known word most like an unknown one.
 
-use super::capital;
+use super::capitalise;
 
 /// An enum whose values have names.
 macro_rules! named_enum {
@@ -116,7 +116,7 @@ pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str
     let some = related_names(word, &candidates);
     let near = synonym(word, &candidates).or_else(|| closest_match(word, candidates.iter().copied()));
     match (near, &some[..]) {
-        (Some(near), _) | (None, &[near]) => format!(", did you mean {mark}{near}{mark}? {}", capital(rest)),
+        (Some(near), _) | (None, &[near]) => format!(", did you mean {mark}{near}{mark}? {}", capitalise(rest)),
         (None, []) => format!("; {rest}"),
         (None, some) => {
             let some: Vec<String> = some.iter().map(|one| format!("{mark}{one}{mark}")).collect();

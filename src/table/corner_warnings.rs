@@ -7,7 +7,7 @@ use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
 use crate::impact::{Contact, Impact, Method, Solver, Warning};
 use crate::scenario::input::Input;
-use crate::scenario::plan::{Axis, AxisSetting, AxisValues, AxisWord, Cases, Plan, Variable, apply_axes};
+use crate::scenario::plan::{AxisSetting, AxisValues, AxisWord, Cases, Plan, SweepAxis, Variable, apply_axes};
 
 /// Up to this number, which thirteen axes of numbers have, all corners are computed. If there are more, a sample of this size is.
 const MAX_CORNERS: u64 = 1 << 13;
@@ -25,7 +25,7 @@ pub struct Corners {
 
 /// Computes the impacts at the corners. `known` is the contact of the plan, if it is made already.
 pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> Corners {
-    let tails: Vec<Axis> = match &plan.cases {
+    let tails: Vec<SweepAxis> = match &plan.cases {
         Cases::Grid(_) => Vec::new(),
         Cases::MonteCarlo { variables, .. } => variables.iter().map(tail_axis).collect(),
     };
@@ -40,7 +40,7 @@ pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> Corners {
         (0..MAX_CORNERS).map(|_| corner_indices(&ends, random.next_u64())).collect()
     };
     // where no axis changes the contact, one serves all corners
-    let is_one = axes.iter().all(Axis::is_contact_constant);
+    let is_one = axes.iter().all(SweepAxis::is_contact_constant);
     let own = if is_one && known.is_none() { plan.input.contact().ok() } else { None };
     let shared = known.or(own.as_ref()).filter(|_| is_one);
     let mut worst: Vec<(Warning, String)> = Vec::new();
@@ -58,7 +58,7 @@ pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> Corners {
         has_dent |= impact.as_ref().is_some_and(|impact| impact.has_dent());
         let of_impact = impact.map_or_else(Vec::new, |impact| impact.warnings);
         for warning in of_impact.into_iter().chain(input.flight_warnings()) {
-            let text = |(axis, place): (&Axis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
+            let text = |(axis, place): (&SweepAxis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
             warning.keep_worst(&mut worst, || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", "));
         }
     }
@@ -86,7 +86,7 @@ fn corner_indices(ends: &[Vec<u64>], mut number: u64) -> Vec<u64> {
 }
 
 /// The places of the smallest and the largest value of an axis, or of all its words.
-fn extreme_indices(axis: &Axis) -> Vec<u64> {
+fn extreme_indices(axis: &SweepAxis) -> Vec<u64> {
     let mut places: Vec<u64> = match &axis.setting {
         AxisSetting::Number { .. } => axis.extreme_places().to_vec(),
         // of the methods only fixed steps have warnings of their own
@@ -101,8 +101,8 @@ fn extreme_indices(axis: &Axis) -> Vec<u64> {
 }
 
 /// The values of a random key in the tails of its distribution, as an axis.
-fn tail_axis(variable: &Variable) -> Axis {
-    Axis::from_numbers(variable.key, AxisValues::List(TAILS.map(|share| variable.value(share)).to_vec()))
+fn tail_axis(variable: &Variable) -> SweepAxis {
+    SweepAxis::from_numbers(variable.key, AxisValues::List(TAILS.map(|share| variable.value(share)).to_vec()))
 }
 
 /// The impact of one corner; `None` if it has no result, which the status in the table says.

@@ -9,7 +9,7 @@ use crate::numerics::ode::IntegrationError;
 use crate::results::Requirement;
 use crate::scenario::input::{Body, Input, NumericKey};
 use crate::scenario::keys::{HardnessRanges, Uncertainty};
-use crate::scenario::plan::{Axis, Cases, Plan, Variable, VariableSampler, axis_indices};
+use crate::scenario::plan::{Cases, Plan, SweepAxis, Variable, VariableSampler, axis_indices};
 use crate::strings::named_enum;
 
 named_enum! {
@@ -142,7 +142,7 @@ impl RowLaw {
             self.law = input.law();
         }
         let law = &self.law;
-        self.ranges = self.ranges.take().map(|ranges| ranges.renewed(input, law));
+        self.ranges = self.ranges.take().map(|ranges| ranges.with_input(input, law));
         RowContact::new(input, law, None, self.ranges.as_ref())
     }
 }
@@ -217,7 +217,7 @@ impl<'a> Evaluator<'a> {
 
     /// The cache of the contact of these indices on the axes; `None` if contacts are not cached.
     #[allow(clippy::cast_possible_truncation)] // at most MAX_CONTACTS
-    fn kept(&self, places: &[u64]) -> Option<&OnceLock<Box<RowContact>>> {
+    fn cached_contact(&self, places: &[u64]) -> Option<&OnceLock<Box<RowContact>>> {
         let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
         self.contacts.get(index as usize)
     }
@@ -240,20 +240,20 @@ impl<'a> Evaluator<'a> {
         let row = contact.as_ref().map_err(|error| *error);
         let mut row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
         if let (Ok(row), Ok(contact), Some(uncertainty)) = (&mut row, contact, uncertainty) {
-            row.restitution_interval = uncertainty.ends(contact, input.approach(), row);
+            row.restitution_interval = uncertainty.interval_ends(contact, input.approach(), row);
         }
         rows.results.push(row);
     }
 
     /// Appends the rows of a grid.
-    fn append_grid_rows(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
+    fn append_grid_rows(&self, axes: &[SweepAxis], cases: Range<u64>, rows: &mut Rows) {
         let mut places = axis_indices(axes, cases.start);
         let mut input = self.plan.input_at(&places);
         let mut own: Option<RowContact> = None;
-        let mut row_law = RowLaw::new(&input, axes.iter().any(Axis::changes_law), self.has_interval);
+        let mut row_law = RowLaw::new(&input, axes.iter().any(SweepAxis::changes_law), self.has_interval);
         for _ in cases {
             rows.axis_values.extend(places.iter().map(|place| *place as f64));
-            let contact = match self.kept(&places) {
+            let contact = match self.cached_contact(&places) {
                 Some(kept) => &**kept.get_or_init(|| Box::new(row_law.contact_for(&input))),
                 None => own.get_or_insert_with(|| row_law.contact_for(&input)),
             };

@@ -12,7 +12,7 @@ macro_rules! dimensions {
         impl Dimension {
             pub const ALL: &'static [Self] = &[$(Self::$dimension),+];
 
-            const fn words(self) -> [&'static str; 4] {
+            const fn spec(self) -> [&'static str; 4] {
                 match self {
                     $(Self::$dimension => [$name, $unit, $suffix, $example],)+
                 }
@@ -44,21 +44,21 @@ dimensions! {
 impl Dimension {
     /// With the article, for messages.
     pub fn name(self) -> &'static str {
-        self.words()[0]
+        self.spec()[0]
     }
 
     /// The SI unit, empty for a plain number.
     pub fn si_unit(self) -> &'static str {
-        self.words()[1]
+        self.spec()[1]
     }
 
     /// The end of the name of a column or a result in this unit: `_m_per_s`; empty for a plain number.
     pub fn suffix(self) -> &'static str {
-        self.words()[2]
+        self.spec()[2]
     }
 
     /// Shows how such a quantity may be written.
     pub fn example(self) -> &'static str {
-        self.words()[3]
+        self.spec()[3]
     }
 }

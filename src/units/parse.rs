@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use super::Dimension;
 use super::table::{UNITS, Unit, UnitScale};
 use crate::error::Error;
-use crate::strings::capital;
+use crate::strings::capitalise;
 use crate::strings::names::did_you_mean;
 
 /// Other spellings of units, each with the unit that is meant. Letter by letter some are nearer to another unit.
@@ -44,7 +44,7 @@ fn unknown_unit_hint(unit: &str, dimension: Dimension) -> String {
         meant.and_then(|(_, meant)| dimension.unit_names().find(|name| name == meant))
     };
     match same.or_else(likely) {
-        Some(unit) => format!(", did you mean \"{unit}\"? {}", capital(&rest)),
+        Some(unit) => format!(", did you mean \"{unit}\"? {}", capitalise(&rest)),
         // one letter makes another unit of a short name: km/h is no mile an hour
         None if guess.chars().count() <= MAX_SHORT => format!("; {rest}"),
         None => did_you_mean(&guess, dimension.unit_names(), '"', &rest),

@@ -30,7 +30,7 @@ pub struct Cycle {
 impl Cycle {
     /// The name, such as "case3_small, x = 105.1".
     pub fn name(&self) -> String {
-        format!("{}, x = {}", self.row.text("run"), crate::units::format_four_digits(self.peak.indentation))
+        format!("{}, x = {}", self.row.cell_text("run"), crate::units::format_four_digits(self.peak.indentation))
     }
 
     /// Residual indentation x_r of the finite elements.
@@ -59,8 +59,9 @@ impl MaterialCase {
 pub fn cases() -> Result<Vec<MaterialCase>, Error> {
     let (rows, points) = (UNLOADINGS.rows()?, CURVES_OF_UNLOADINGS.rows()?);
     let cycle = |row: &ReferenceRow, kappa: f64| {
-        let is_same =
-            |point: &&ReferenceRow| ["run", "cycle"].iter().all(|column| point.text(column) == row.text(column));
+        let is_same = |point: &&ReferenceRow| {
+            ["run", "cycle"].iter().all(|column| point.cell_text(column) == row.cell_text(column))
+        };
         let point = |row: &ReferenceRow| (row.number("x"), row.number("f"));
         let (indentation, force) = point(row);
         let elastic_approach = indentation * row.number("sphere_share") / kappa;
@@ -71,7 +72,7 @@ pub fn cases() -> Result<Vec<MaterialCase>, Error> {
         }
     };
     let case = |loading: ReferenceLoadingCurve| {
-        let of_case = rows.iter().filter(|row| row.text("case") == loading.case);
+        let of_case = rows.iter().filter(|row| row.cell_text("case") == loading.case);
         let mut cycles: Vec<Cycle> = of_case.map(|row| cycle(row, loading.pair.sphere_compliance)).collect();
         cycles.sort_by(|a, b| a.peak.indentation.total_cmp(&b.peak.indentation));
         MaterialCase { loading, cycles }

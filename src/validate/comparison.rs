@@ -36,11 +36,11 @@ impl Group {
 }
 
 /// A quantity of a case, and the numbers of reference and law; `None` if the reference has no such number.
-pub type Quantity<T> = (Group, fn(&T) -> Option<[f64; 2]>);
+pub type ComparedQuantity<T> = (Group, fn(&T) -> Option<[f64; 2]>);
 
 /// Compares these quantities of these cases, one quantity after the other.
-pub fn compare_all<T>(quantities: &[Quantity<T>], cases: &[T], name: impl Fn(&T) -> String) -> Vec<Comparison> {
-    let of_quantity = |(group, numbers): &Quantity<T>| -> Vec<Comparison> {
+pub fn compare_all<T>(quantities: &[ComparedQuantity<T>], cases: &[T], name: impl Fn(&T) -> String) -> Vec<Comparison> {
+    let of_quantity = |(group, numbers): &ComparedQuantity<T>| -> Vec<Comparison> {
         cases.iter().filter_map(|case| Some(group.compare(name(case), numbers(case)?))).collect()
     };
     quantities.iter().flat_map(of_quantity).collect()

@@ -1,6 +1,6 @@
 //! Whole impacts against explicit finite elements: restitution, contact time, peak force, dent depth.
 
-use super::comparison::{Comparison, EXPONENTS, Group, Quantity, compare_all};
+use super::comparison::{ComparedQuantity, Comparison, EXPONENTS, Group, compare_all};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
 use crate::error::Error;
 use crate::impact::Impact;
@@ -9,7 +9,7 @@ use crate::reference::{CURVES_OF_IMPACTS, DYNAMIC_SOURCE, IMPACTS, ReferenceRow}
 use crate::scenario::Scenario;
 use crate::scenario::input::Input;
 
-const QUANTITIES: [Quantity<DynamicCase>; 8] = [
+const QUANTITIES: [ComparedQuantity<DynamicCase>; 8] = [
     (Group::new("impact: restitution, exponent 3/2", DYNAMIC_SOURCE, ""), |case| {
         Some([case.reference.number("restitution"), case.impacts[0].restitution])
     }),
@@ -60,11 +60,11 @@ pub struct DynamicCase {
 pub(super) fn dynamic_scenarios() -> Result<Vec<(Input, ReferenceRow, Vec<ReferenceRow>)>, Error> {
     let (references, samples) = (IMPACTS.rows()?, CURVES_OF_IMPACTS.rows()?);
     let scene = |&(name, text): &(&'static str, &str)| {
-        let reference = references.iter().find(|row| row.text("case") == name).cloned();
+        let reference = references.iter().find(|row| row.cell_text("case") == name).cloned();
         let reference =
             reference.ok_or_else(|| reference::damaged_table(DYNAMIC_SOURCE, &format!("has no row {name}")))?;
         let input = Scenario::from_text(name, text, &[])?.resolve()?;
-        Ok((input, reference, samples.iter().filter(|sample| sample.text("case") == name).cloned().collect()))
+        Ok((input, reference, samples.iter().filter(|sample| sample.cell_text("case") == name).cloned().collect()))
     };
     SCENARIOS.iter().map(scene).collect()
 }
@@ -85,5 +85,5 @@ pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<DynamicCase>, 
 }
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    Ok(compare_all(&QUANTITIES, &cases(coefficients)?, |case| case.reference.text("case").to_owned()))
+    Ok(compare_all(&QUANTITIES, &cases(coefficients)?, |case| case.reference.cell_text("case").to_owned()))
 }

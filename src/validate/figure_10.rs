@@ -55,7 +55,7 @@ pub(super) fn figure_10(case: &MaterialCase) -> Result<Vec<(String, Chart)>, Err
 }
 
 fn find<'a>(case: &'a MaterialCase, run: &str, number: &str) -> Option<&'a Cycle> {
-    case.cycles.iter().find(|cycle| cycle.row.text("run") == run && cycle.row.text("cycle") == number)
+    case.cycles.iter().find(|cycle| cycle.row.cell_text("run") == run && cycle.row.cell_text("cycle") == number)
 }
 
 fn chart(bodies: &YieldingPair, cycle: &Cycle) -> Chart {

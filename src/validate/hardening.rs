@@ -1,6 +1,6 @@
 //! A half-space that hardens: the law, loaded with the same work as the finite elements.
 
-use super::comparison::{Comparison, Group, Quantity, compare_all};
+use super::comparison::{ComparedQuantity, Comparison, Group, compare_all};
 use crate::contact::law::{ContactState, Law, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::reference::{HARDENING, ReferenceRow};
@@ -10,23 +10,23 @@ const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
 /// A load cycle by finite elements, and by the law.
 type HardeningCase = (ReferenceRow, LoadCycle);
 
-const QUANTITIES: [Quantity<HardeningCase>; 5] = [
-    (group("hardening: restitution, pressure-shape"), |(row, state)| {
+const QUANTITIES: [ComparedQuantity<HardeningCase>; 5] = [
+    (hardening_group("hardening: restitution, pressure-shape"), |(row, state)| {
         Some([row.number("restitution"), state.restitution])
     }),
-    (group("hardening: peak force"), |(row, state)| Some([row.number("f"), state.peak.force])),
-    (group("hardening: peak indentation"), |(row, state)| Some([row.number("x"), state.peak.indentation])),
+    (hardening_group("hardening: peak force"), |(row, state)| Some([row.number("f"), state.peak.force])),
+    (hardening_group("hardening: peak indentation"), |(row, state)| Some([row.number("x"), state.peak.indentation])),
     // a shallow dent would have a large relative deviation
     (
         Group::new_difference("hardening: residual indentation, deviation over peak indentation", REFERENCE, ""),
         |(row, state)| Some([row.number("residual_share"), state.peak.residual() / state.peak.indentation]),
     ),
-    (group("hardening: contact radius"), |(row, state)| {
+    (hardening_group("hardening: contact radius"), |(row, state)| {
         Some([row.number("contact_radius_over_R"), state.contact_radius])
     }),
 ];
 
-const fn group(name: &'static str) -> Group {
+const fn hardening_group(name: &'static str) -> Group {
     Group::new(name, REFERENCE, "")
 }
 
@@ -66,5 +66,5 @@ pub(super) fn unloadings(coefficients: &PlmCoefficients) -> Result<Vec<Compariso
             cases.push((row, state));
         }
     }
-    Ok(compare_all(&QUANTITIES, &cases, |(row, _)| format!("{}, x = {}", row.text("material"), row.number("x"))))
+    Ok(compare_all(&QUANTITIES, &cases, |(row, _)| format!("{}, x = {}", row.cell_text("material"), row.number("x"))))
 }

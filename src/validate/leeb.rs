@@ -77,7 +77,8 @@ pub(super) fn rebounds(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>
     for (block, column) in BLOCKS {
         let strength = strength_for(first, first.number(column) / 1000.0, coefficients);
         for device in others {
-            let case = format!("{block}, device {}, strength from D {:.0} MPa", device.text("device"), strength / 1e6);
+            let case =
+                format!("{block}, device {}, strength from D {:.0} MPa", device.cell_text("device"), strength / 1e6);
             let numbers = [device.number(column) / 1000.0, restitution(device, strength, coefficients)?];
             compared.push(GROUP.compare(case, numbers));
         }

@@ -44,7 +44,7 @@ pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     for row in REBOUNDS.rows()? {
         let [angle, value] = ["angle_deg", "value"].map(|column| row.number(column));
         let Some(after) = rebound(&alumina, angle.to_radians(), FRICTION)? else { continue };
-        let (group, numbers) = match row.text("quantity") {
+        let (group, numbers) = match row.cell_text("quantity") {
             "tangential_restitution" => (TANGENTIAL, [value, after.tangential_restitution]),
             "spin_rad_per_s" => (SPIN, [value, after.spin].map(|spin| spin * RADIUS / SPEED)),
             _ => (ANGLE, [value.to_radians(), after.angle]),

@@ -82,7 +82,7 @@ fn restitution_error_against_depth(cases: &[MaterialCase], coefficients: &PlmCoe
         panel
     };
     let panels = EXPONENTS.into_iter().enumerate().map(of_exponent).collect();
-    let chart = Chart::stacked("Restitution of the law less that of finite elements", depth_axis(), panels);
+    let chart = Chart::with_panels("Restitution of the law less that of finite elements", depth_axis(), panels);
     ("error-restitution".to_owned(), chart.with_caption(CASES))
 }
 
@@ -125,7 +125,7 @@ fn impact(case: &dynamic::DynamicCase) -> Picture {
         let mut drawn = vec![Series::points(name, points.collect()).with_style(i)];
         for (which, impact) in case.impacts.iter().enumerate() {
             let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
-            drawn.push(Series::line("", curve).with_style(Style::new(i).branch(which)));
+            drawn.push(Series::line("", curve).with_style(Style::new(i).with_line_of_branch(which)));
         }
         if i == 1 { of_sphere = drawn } else { series.extend(drawn) }
     }
@@ -136,7 +136,7 @@ fn impact(case: &dynamic::DynamicCase) -> Picture {
     let with_waves = case.impacts[1].restitution_with_waves();
     notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
     let axes = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
-    let (name, slug) = (case.reference.text("case"), case.reference.text("case").to_lowercase());
+    let (name, slug) = (case.reference.cell_text("case"), case.reference.cell_text("case").to_lowercase());
     let title = format!("Impact {name} at {}", format_result(case.impacts[0].speed, Dimension::Speed));
     let chart = Chart::new(title, axes, series).with_side_panel(Axis::linear("of the sphere", "m"), of_sphere);
     let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
@@ -153,7 +153,7 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     let rows = HARDENING.rows()?;
     let mut series = Vec::new();
     for (i, (name, called)) in METALS.into_iter().enumerate() {
-        let of_material: Vec<_> = rows.iter().filter(|row| row.text("material") == name).collect();
+        let of_material: Vec<_> = rows.iter().filter(|row| row.cell_text("material") == name).collect();
         let Some(materials) = of_material.first() else { continue };
         let point = |row: &&ReferenceRow| (row.number("x"), row.number("restitution"));
         let points: Vec<(f64, f64)> = of_material.iter().map(point).collect();
@@ -163,7 +163,7 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
             let Some((law, ratio)) = hardening_law(materials, coefficients, hardens)? else { continue };
             let curve =
                 log_sampled(1.2 * deepest, |x| (x, load_cycle_at_work(&law, ratio, law.loading.work(x)).restitution));
-            series.push(Series::line("", curve).with_style(Style::new(i).branch(which)));
+            series.push(Series::line("", curve).with_style(Style::new(i).with_line_of_branch(which)));
         }
     }
     let axes = [
@@ -197,7 +197,7 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[MaterialCase]) -> Result<Pi
         add("half-space: dent", &law, case.loading.yield_radius_ratio, points, deepest);
     }
     for (name, called) in YIELDING {
-        let of_pair: Vec<_> = all.iter().filter(|cycle| cycle.row.text("case") == name).collect();
+        let of_pair: Vec<_> = all.iter().filter(|cycle| cycle.row.cell_text("case") == name).collect();
         let Some(first) = of_pair.first() else { continue };
         let point = |row: &ReferenceRow| (row.number("contact_radius_over_R"), row.number("e"));
         let points = of_pair.iter().map(|cycle| point(&cycle.row)).collect();
@@ -248,11 +248,11 @@ fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
 /// body.
 fn oblique() -> Result<Picture, Error> {
     let rows = REBOUNDS.rows()?;
-    let measured = rows.iter().filter(|row| row.text("quantity") == "tangential_restitution");
+    let measured = rows.iter().filter(|row| row.cell_text("quantity") == "tangential_restitution");
     let measured = measured.map(|row| (row.number("angle_deg"), row.number("value"))).collect();
     let measured = Series::points("measured, alumina on glass", measured);
     let contact = alumina_on_glass()?;
-    let motion = NormalMotion::elastic().map_err(ImpactError::from)?;
+    let motion = NormalMotion::elastic_motion().map_err(ImpactError::from)?;
     let (chi, j) = (contact.chi(), contact.slip_factor());
     let mut curves = [Vec::new(), Vec::new(), Vec::new()];
     // up to 65 degrees

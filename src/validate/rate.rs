@@ -1,7 +1,7 @@
 //! Whole impacts on a half-space whose strength rises with the strain rate, against explicit finite elements with the rate in
 //! every point.
 
-use super::comparison::{Comparison, Group, Quantity, compare_all};
+use super::comparison::{ComparedQuantity, Comparison, Group, compare_all};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::Impact;
@@ -13,7 +13,7 @@ const SOURCE: &str = "explicit finite elements, src/reference/fe_rate.csv";
 /// An impact by finite elements, and by the law.
 type RateCase = (ReferenceRow, Impact);
 
-const QUANTITIES: [Quantity<RateCase>; 5] = [
+const QUANTITIES: [ComparedQuantity<RateCase>; 5] = [
     (Group::new("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |(row, impact)| {
         Some([row.number("restitution"), impact.restitution_with_waves()?])
     }),
@@ -39,7 +39,7 @@ const QUANTITIES: [Quantity<RateCase>; 5] = [
 
 /// A row has the keys of a scenario.
 fn impact(row: &ReferenceRow, coefficients: &PlmCoefficients) -> Result<Impact, Error> {
-    let input = Scenario::from_text(row.text("case"), "", &row.keys())?.resolve()?;
+    let input = Scenario::from_text(row.cell_text("case"), "", &row.keys())?.resolve()?;
     let law = LawChoice::Plm(Plm::new(coefficients, UnloadingExponent::PressureShape));
     let (sphere, half_space) = input.bodies(&law);
     Ok(input.contact_of(sphere, half_space, &law)?.closed_form(input.speed())?)
@@ -48,5 +48,5 @@ fn impact(row: &ReferenceRow, coefficients: &PlmCoefficients) -> Result<Impact, 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let case = |row: ReferenceRow| impact(&row, coefficients).map(|impact| (row, impact));
     let cases: Vec<RateCase> = RATE_IMPACTS.rows()?.into_iter().map(case).collect::<Result<_, Error>>()?;
-    Ok(compare_all(&QUANTITIES, &cases, |(row, _)| row.text("case").to_owned()))
+    Ok(compare_all(&QUANTITIES, &cases, |(row, _)| row.cell_text("case").to_owned()))
 }

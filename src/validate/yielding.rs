@@ -1,6 +1,6 @@
 //! Bodies of which the sphere yields, or both: load cycles of finite elements, and two equal balls against a ball on a wall.
 
-use super::comparison::{self, Comparison, Group, Quantity};
+use super::comparison::{self, ComparedQuantity, Comparison, Group};
 use super::hardening::{LoadCycle, load_cycle_at_work};
 use crate::contact::law::{Law, Plm, PlmCoefficients, UnloadingExponent, YieldingPair};
 use crate::contact::pair::{HalfSpace, Material, Pair, PairError, Sphere, Support};
@@ -63,7 +63,7 @@ pub(super) fn yielding_cycles(
     rows.filter_map(|row| YieldingCycle::new(row, coefficients, exponent).transpose()).collect()
 }
 
-const QUANTITIES: [Quantity<YieldingCycle>; 4] = [
+const QUANTITIES: [ComparedQuantity<YieldingCycle>; 4] = [
     (Group::new("sphere or both yield: restitution, pressure-shape", SOURCE, ""), |cycle| {
         Some([cycle.row.number("e"), cycle.at_work.restitution])
     }),
@@ -89,7 +89,7 @@ const QUANTITIES: [Quantity<YieldingCycle>; 4] = [
 
 pub(super) fn load_cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let name = |cycle: &YieldingCycle| {
-        format!("{}, a/R = {}", cycle.row.text("case"), cycle.row.number("contact_radius_over_R"))
+        format!("{}, a/R = {}", cycle.row.cell_text("case"), cycle.row.number("contact_radius_over_R"))
     };
     Ok(comparison::compare_all(&QUANTITIES, &yielding_cycles(coefficients, UnloadingExponent::PressureShape)?, name))
 }

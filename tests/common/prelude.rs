@@ -20,7 +20,7 @@ pub use plm_impact::error::Error;
 pub use plm_impact::files::progress::Progress;
 pub use plm_impact::impact::indentation::{Indentation, IndentationError, StaticContact};
 pub use plm_impact::impact::series::{ImpactSeries, SeriesMode, SpotMode};
-pub use plm_impact::materials::{Property, all, find};
+pub use plm_impact::materials::{Property, all_materials, find};
 pub use plm_impact::numerics::ode::damped_stepper::DampedStepper;
 pub use plm_impact::numerics::ode::rk8::Rk8;
 pub use plm_impact::numerics::ode::{IntegrationError, Integrator};

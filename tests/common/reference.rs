@@ -29,7 +29,7 @@ impl Row {
         &self.0["case"]
     }
 
-    pub fn text(&self, column: &str) -> &str {
+    pub fn cell_text(&self, column: &str) -> &str {
         &self.0[column]
     }
 

@@ -96,7 +96,7 @@ pub trait ContactLaw: Debug {
     /// [`LawError::Incomplete`] for a law without a loading rule; for the PLM also [`LawError::BothFlow`] and [`LawError::Flow`].
     fn law(&self, bodies: &YieldingPair) -> Result<Law, LawError> {
         let LawParts { loading, recovery } = self.build_parts(bodies);
-        Ok(Law::published(loading?, recovery))
+        Ok(Law::from_published(loading?, recovery))
     }
 
     /// The whole law of a pair of bodies. Without a yield strength the law is Hertz.

@@ -110,7 +110,7 @@ impl Law {
     }
 
     /// The law of a published loading with a published unloading.
-    pub fn published(loading: Loading, recovery: published::RecoveryRule) -> Self {
+    pub fn from_published(loading: Loading, recovery: published::RecoveryRule) -> Self {
         let Loading { curve, limits, contact_radius } = loading;
         Self::new(curve, limits, UnloadingRule::Published(Box::new(PublishedRule { contact_radius, recovery })))
     }

@@ -39,10 +39,10 @@ impl PeakLaw {
             self.law.unloading_from(own, own_force, spent)
         } else {
             // shape and approach follow the law at the turn; f x is more than any branch recovers
-            let lowered = self.law.unloading_from(own, own_force, own_force * own).scaled(1.0, most / own_force);
+            let lowered = self.law.unloading_from(own, own_force, own_force * own).in_units(1.0, most / own_force);
             Unloading { exponent: allowed_exponent(spent, &lowered.peak, lowered.exponent), ..lowered }
         };
-        let scaled = unloading.scaled(per_length, per_force);
+        let scaled = unloading.in_units(per_length, per_force);
         // the depth is the depth of the impact, to the last bit, and at most the depth is recovered
         let elastic_approach = scaled.peak.elastic_approach.min(x);
         Unloading { peak: ContactState { indentation: x, elastic_approach, ..scaled.peak }, ..scaled }
@@ -51,7 +51,7 @@ impl PeakLaw {
     /// A branch in the units of this law.
     fn in_own_units(&self, unloading: &Unloading) -> Unloading {
         let [length, force] = self.units();
-        unloading.scaled(1.0 / length, 1.0 / force)
+        unloading.in_units(1.0 / length, 1.0 / force)
     }
 }
 
@@ -157,7 +157,7 @@ impl Surface<'_> {
 impl Unloading {
     /// The branch in other units: lengths times `length`, forces times `force`.
     #[must_use]
-    pub(crate) fn scaled(&self, length: f64, force: f64) -> Self {
+    pub(crate) fn in_units(&self, length: f64, force: f64) -> Self {
         let ContactState { indentation, force: of_peak, elastic_approach } = self.peak;
         let peak = ContactState {
             indentation: indentation * length,

@@ -53,7 +53,7 @@ impl Law {
         let (cut, behind) = (&self.loading.pieces()[index], &self.loading.pieces()[index + 1..]);
         let (stored, spent) = (unloading.recoverable_energy(), cut.work_at(start));
         let first =
-            Piece { start, force, work: stored, is_subdivision: false, shape: cut.shape.shifted(start - cut.start) };
+            Piece { start, force, work: stored, is_subdivision: false, shape: cut.shape.with_shift(start - cut.start) };
         let behind = behind.iter().map(|piece| Piece { work: stored + (piece.work - spent), ..piece.clone() });
         let pieces = [unloading.to_piece(), first].into_iter().chain(behind).collect();
         LoadingHistory { unloading, reloading_path: Arc::new(LoadingCurve::new(pieces)), is_of_other_rate }

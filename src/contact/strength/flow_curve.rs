@@ -181,7 +181,7 @@ impl FlowCurve {
     }
 
     /// The flow curve over its yield strength \[Pa\], for a metal of this Young's modulus \[Pa\].
-    pub fn normalised(&self, yield_strength: f64, youngs_modulus: f64) -> NormalisedFlowCurve {
+    pub fn normalise(&self, yield_strength: f64, youngs_modulus: f64) -> NormalisedFlowCurve {
         NormalisedFlowCurve { curve: self.clone(), yield_strength, modulus_ratio: youngs_modulus / yield_strength }
     }
 }
@@ -202,7 +202,7 @@ pub struct NormalisedFlowCurve {
 
 impl NormalisedFlowCurve {
     /// σ/σ_Y at a plastic strain ≥ 0.
-    pub fn at(&self, strain: f64) -> f64 {
+    pub fn relative_stress(&self, strain: f64) -> f64 {
         match &self.curve {
             FlowCurve::Power { exponent } => exp(exponent * ln_1p(self.modulus_ratio * strain)),
             FlowCurve::Voce { saturation, rate } => 1.0 - saturation * exp_m1(-rate * strain),
@@ -253,9 +253,9 @@ mod tests {
             (points(&[(0.0, 200e6), (0.03, 260e6)])?, [(0.01, 220.0), (0.5, 260.0)]),
         ];
         for (curve, wanted) in forms {
-            let rise = curve.normalised(200e6, 100e9);
+            let rise = curve.normalise(200e6, 100e9);
             for (strain, stress) in wanted {
-                assert_relative_eq!(200.0 * rise.at(strain), stress, max_relative = 1e-14);
+                assert_relative_eq!(200.0 * rise.relative_stress(strain), stress, max_relative = 1e-14);
             }
         }
         Ok(())
@@ -280,7 +280,7 @@ mod tests {
         for exponent in [0.0, 0.02, 0.1, 0.3, 0.5] {
             for stress in [1e5, 1e8, 3e9, 1e12] {
                 let strength = yield_strength_of_power(stress, 0.08, exponent, 210e9);
-                let back = strength * FlowCurve::Power { exponent }.normalised(strength, 210e9).at(0.08);
+                let back = strength * FlowCurve::Power { exponent }.normalise(strength, 210e9).relative_stress(0.08);
                 assert_relative_eq!(back, stress, max_relative = 1e-13);
                 assert!(strength <= stress * (1.0 + 1e-14));
             }

@@ -70,7 +70,7 @@ impl HardnessScale {
 
     /// The first and the last number of the conversion table; `None` for Vickers, which needs none.
     pub fn range(self) -> Option<(f64, f64)> {
-        let table = self.table();
+        let table = self.conversion_table();
         Some((table.first()?.0, table.last()?.0))
     }
 
@@ -84,7 +84,7 @@ impl HardnessScale {
     }
 
     /// The rows of the conversion table of this scale, by rising number: number and HV.
-    fn table(self) -> Vec<(f64, f64)> {
+    fn conversion_table(self) -> Vec<(f64, f64)> {
         let row = |line: &str| {
             let (number, vickers) = line.strip_prefix(self.name())?.strip_prefix(',')?.split_once(',')?;
             Some((number.parse().ok()?, vickers.parse().ok()?))
@@ -94,7 +94,7 @@ impl HardnessScale {
 
     /// The Vickers hardness, by its table.
     fn to_vickers(self, value: f64) -> Result<f64, OutsideConversionTable> {
-        let table = self.table();
+        let table = self.conversion_table();
         let range = self.range().unwrap_or((f64::NAN, f64::NAN));
         interpolate(&table, value).ok_or(OutsideConversionTable { value, scale: self, range })
     }
@@ -102,7 +102,8 @@ impl HardnessScale {
     /// The number on this scale with a mean pressure \[Pa\]; `None` outside of its table.
     pub fn number_at_mean_pressure(self, mean_pressure: f64) -> Option<f64> {
         let vickers = vickers_number(mean_pressure);
-        let turned = || self.table().into_iter().map(|(number, vickers)| (vickers, number)).collect::<Vec<_>>();
+        let turned =
+            || self.conversion_table().into_iter().map(|(number, vickers)| (vickers, number)).collect::<Vec<_>>();
         if self == Self::Vickers { Some(vickers) } else { interpolate(&turned(), vickers) }
     }
 }

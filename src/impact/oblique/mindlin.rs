@@ -63,7 +63,7 @@ enum Friction {
 
 impl SlipStep {
     /// σ/σ_0 and T at a time of the step, where the contact has this force and this impulse so far.
-    fn at(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
+    fn slip_and_force(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
         match self.friction {
             Friction::Sliding { side, impulse: before } => {
                 [self.slip - side * self.rate * (impulse - before), -side * force]
@@ -86,7 +86,7 @@ impl SlipResult {
 
     /// The change from a smaller σ_0, in this ratio to the σ_0 of the run. Both are so small that springs slip only at the rim, so σ is
     /// proportional to σ_0.
-    pub(super) fn scaled(mut self, share: f64) -> Self {
+    pub(super) fn scale_by(mut self, share: f64) -> Self {
         for step in &mut self.steps {
             if let Friction::Partial(friction) = &mut step.friction {
                 *friction = friction.map(|part| part * share);
@@ -97,9 +97,9 @@ impl SlipResult {
     }
 
     /// σ/σ_0 and T at a time, where the contact has this force and this impulse so far.
-    pub(super) fn at(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
+    pub(super) fn slip_and_force(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
         let step = self.steps.partition_point(|step| step.start <= time).saturating_sub(1);
-        self.steps.get(step).map_or([self.ratio, 0.0], |step| step.at(time, force, impulse))
+        self.steps.get(step).map_or([self.ratio, 0.0], |step| step.slip_and_force(time, force, impulse))
     }
 }
 

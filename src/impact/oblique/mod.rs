@@ -257,7 +257,7 @@ impl<'a> ObliqueImpact<'a> {
             matches!(self.case.ground.law.unloading_rule, UnloadingRule::Hertz) && self.case.forces.is_none();
         let motion;
         let motion = if is_elastic {
-            NormalMotion::elastic()?
+            NormalMotion::elastic_motion()?
         } else {
             motion = NormalMotion::new(self.case.ground, self.case.q, &self.case.forces)?;
             &motion
@@ -267,7 +267,7 @@ impl<'a> ObliqueImpact<'a> {
         let computed = psi.max(MIN_PSI);
         let accuracy = if is_followed { RUN_ACCURACY } else { ROW_ACCURACY };
         let run = motion.run(computed * self.case.q, self.chi, accuracy, is_followed)?;
-        let run = if psi < computed { run.scaled(psi / computed) } else { run };
+        let run = if psi < computed { run.scale_by(psi / computed) } else { run };
         Ok(if run.is_sliding { SlipResult { ratio: self.sliding_ratio(), ..run } } else { run })
     }
 
@@ -374,7 +374,7 @@ impl<'a> ObliqueImpact<'a> {
             () => {
                 let impulse = (self.speeds[0] - speed) / scales.speed / FORCE_FACTOR
                     + self.case.forces.weight * time / scales.time();
-                let [share, of_force] = slip.at(time / scales.time(), force / scales.force, impulse);
+                let [share, of_force] = slip.slip_and_force(time / scales.time(), force / scales.force, impulse);
                 (share * self.slip, direction * mu * scales.force * of_force)
             }
         };

@@ -38,14 +38,14 @@ impl<'a> NormalMotion<'a> {
     /// The motion at q = v/V.
     pub fn new(ground: impl Into<Surface<'a>>, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
         let ground = ground.into();
-        let mut recorder = TraceRecorder::enabled();
+        let mut recorder = TraceRecorder::recording();
         let outcome = motion::integrate(ground, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
         let track = recorder.into_motion(ground, outcome.unloading, forces.damping);
         let durations = [outcome.loading_time, outcome.contact_time];
         let is_viscous = forces.damping.viscous != 0.0;
         let is_published = matches!(ground.law.unloading_rule, UnloadingRule::Published(_));
         let is_smooth_at_touch = !is_published || ground.elastic_until() > 0.0;
-        let ends = track.ends().collect();
+        let ends = track.piece_end_times().collect();
         let (branch, peak) = (outcome.unloading.to_piece(), outcome.unloading.peak);
         let radius_per_slope = peak.force / peak.elastic_approach / branch.slope_at_distance(peak.elastic_approach);
         let (branch, forces) = ((branch, radius_per_slope), *forces);
@@ -82,7 +82,7 @@ impl<'a> NormalMotion<'a> {
     }
 
     /// The motion of an elastic impact, equal for all of them in units of peak and speed.
-    pub fn elastic() -> Result<&'static NormalMotion<'static>, IntegrationError> {
+    pub fn elastic_motion() -> Result<&'static NormalMotion<'static>, IntegrationError> {
         static ELASTIC: LazyLock<Result<NormalMotion, IntegrationError>> =
             LazyLock::new(|| NormalMotion::new(hertz_law(), 1.0, &ScaledForces::NONE));
         ELASTIC.as_ref().map_err(Clone::clone)
@@ -105,7 +105,7 @@ impl<'a> NormalMotion<'a> {
         } else {
             let (branch, radius_per_slope) = &self.branch;
             let [force, slope, _] = if at.distance > 0.0 { branch.derivatives(at.distance) } else { [0.0; 3] };
-            let drag = self.forces.damping.at(force, || slope / FORCE_FACTOR).0 * at.speed;
+            let drag = self.forces.damping.rates_at_force(force, || slope / FORCE_FACTOR).0 * at.speed;
             (force, nan_max(force + drag, 0.0), radius_per_slope * slope)
         };
         // on a plate the sphere is faster than the approach

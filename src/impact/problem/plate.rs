@@ -146,7 +146,7 @@ impl ContactPlate {
 
     /// The plate in the units of an impact at `speed` \[m/s\] with Hertz's stiffness K. `undamped_contact_time` is the contact time \[s\]
     /// without a plate.
-    pub(in crate::impact) fn scaled(
+    pub(in crate::impact) fn to_scaled(
         &self,
         speed: f64,
         hertz_stiffness: f64,

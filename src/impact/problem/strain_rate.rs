@@ -43,7 +43,7 @@ impl RateDependence {
     }
 
     /// The strain-rate hardening behind the factor: the one of the softer body, or the one of the other body if it yields too.
-    fn of_flow(&self, flow: &YieldPartition) -> Option<StrainRateHardening> {
+    fn hardening_of_flow(&self, flow: &YieldPartition) -> Option<StrainRateHardening> {
         let [sphere, half_space] = self.of_bodies;
         let harder = flow.for_softer([half_space, sphere]);
         flow.for_softer(self.of_bodies).or(harder.filter(|_| flow.is_shared()))
@@ -97,7 +97,7 @@ impl Contact {
         } else {
             raised.with_peak_strength(self.with_factors(rates, factor_at_turn)?, factor_at_turn / factor)
         };
-        let rate = rates.of_flow(&point.yield_partition);
+        let rate = rates.hardening_of_flow(&point.yield_partition);
         contact.strain_rate_result =
             Some(StrainRateResult { strain_rate: RATE_SHARES[0] * w, factor, factor_at_turn, rate });
         Ok(contact)

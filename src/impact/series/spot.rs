@@ -70,10 +70,10 @@ impl Contact {
         let met = spot
             .dent
             .as_ref()
-            .map(|dent| rated.law.dent_of_other_rate(&dent.unloading.scaled(1.0 / length, 1.0 / force)));
+            .map(|dent| rated.law.dent_of_other_rate(&dent.unloading.in_units(1.0 / length, 1.0 / force)));
         let (impact, ground, unloading) = rated.impact_on_surface(met.as_ref(), approach, solver, samples)?;
         if ground.keeps_mark_of(&unloading.peak) {
-            spot.dent = Some(self.law.history_after_unloading(unloading.scaled(length, force)));
+            spot.dent = Some(self.law.history_after_unloading(unloading.in_units(length, force)));
         }
         Ok(impact)
     }

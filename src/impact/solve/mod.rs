@@ -98,7 +98,7 @@ fn integrate_and_record<I: Integrator>(
     mut integrator: I,
 ) -> Result<Solution, IntegrationError> {
     let (ground, q, forces) = case;
-    let mut recorder = if trace.is_some() { TraceRecorder::enabled() } else { TraceRecorder::default() };
+    let mut recorder = if trace.is_some() { TraceRecorder::recording() } else { TraceRecorder::default() };
     let outcome = motion::integrate(ground, q, forces, &mut integrator, &mut recorder)?;
     let points = trace.map_or_else(Vec::new, |(samples, duration)| {
         let times = sample_times(samples, duration.unwrap_or(outcome.contact_time));

@@ -39,21 +39,21 @@ pub struct TracePoint {
 
 impl TracePoint {
     /// A point of a motion on the loading curve, where the state of the law is `state`.
-    pub(in crate::impact) fn loading(
+    pub(in crate::impact) fn from_loading(
         state: ContactState,
         slope: impl FnOnce() -> f64,
         drag: DampingCoefficients,
         at: &MotionState,
         event: Option<Event>,
     ) -> Self {
-        let of_drag = || drag.at(state.force, || slope() / FORCE_FACTOR).0 * at.speed;
+        let of_drag = || drag.rates_at_force(state.force, || slope() / FORCE_FACTOR).0 * at.speed;
         // at separation the total force is zero, except for rounding
         let total_force = if drag.acts_in_contact() { nan_max(state.force + of_drag(), 0.0) } else { state.force };
         Self { at: *at, state, total_force, is_unloading: false, event }
     }
 
     /// A point of a motion on the unloading branch; distances are measured from the residual indentation.
-    pub(in crate::impact) fn unloading(
+    pub(in crate::impact) fn from_unloading(
         unloading: &Unloading,
         drag: DampingCoefficients,
         at: &MotionState,
@@ -65,7 +65,7 @@ impl TracePoint {
             force: unloading.force_at_elastic_approach(recovered),
             elastic_approach: at.distance,
         };
-        Self { is_unloading: true, ..Self::loading(state, || unloading.slope_at(recovered), drag, at, event) }
+        Self { is_unloading: true, ..Self::from_loading(state, || unloading.slope_at(recovered), drag, at, event) }
     }
 }
 
@@ -87,7 +87,7 @@ pub struct TraceRecorder {
 }
 
 impl TraceRecorder {
-    pub fn enabled() -> Self {
+    pub fn recording() -> Self {
         Self { legs: Some(Vec::new()) }
     }
 
@@ -147,7 +147,7 @@ impl TraceRecorder {
                     while let Some((event, at)) = events.next_if(|(_, at)| at.time <= time) {
                         points.push(point(&at, Some(event)));
                     }
-                    points.push(point(&segment.at(time), None));
+                    points.push(point(&segment.state_at(time), None));
                 }
             }
             points.extend(events.map(|(event, at)| point(&at, Some(event))));
@@ -165,11 +165,11 @@ fn trace_point(
     at: &MotionState,
     event: Option<Event>,
 ) -> TracePoint {
-    let Some(index) = piece else { return TracePoint::unloading(unloading, drag, at, event) };
+    let Some(index) = piece else { return TracePoint::from_unloading(unloading, drag, at, event) };
     let piece = ground.piece(index);
     // distances are measured from the zero of a power law, otherwise from the start of the piece
     let distance = at.distance - piece.shape.zero_offset();
-    TracePoint::loading(ground.state_at(index, distance), || piece.slope_at_distance(distance), drag, at, event)
+    TracePoint::from_loading(ground.state_at(index, distance), || piece.slope_at_distance(distance), drag, at, event)
 }
 
 /// A recorded motion, which can be evaluated at any time.
@@ -183,7 +183,7 @@ pub struct RecordedMotion<'a> {
 
 impl RecordedMotion<'_> {
     /// The times at which the motion passes from one formula of the force to the next, in order, and the time of its end.
-    pub(in crate::impact) fn ends(&self) -> impl Iterator<Item = f64> {
+    pub(in crate::impact) fn piece_end_times(&self) -> impl Iterator<Item = f64> {
         let goes_on = |leg: Option<&RecordedLeg>| {
             leg.and_then(|leg| leg.piece).is_some_and(|piece| self.ground.piece(piece).is_subdivision)
         };
@@ -198,7 +198,7 @@ impl RecordedMotion<'_> {
         let leg = self.legs.partition_point(ends_before).min(self.legs.len() - 1);
         let RecordedLeg { piece, track, .. } = &self.legs[leg];
         let segment = track.partition_point(|segment| segment.end < time).min(track.len() - 1);
-        (track[segment].at(time.min(track[segment].end)), *piece)
+        (track[segment].state_at(time.min(track[segment].end)), *piece)
     }
 
     /// The point of the motion at a state on this piece of the loading curve.
@@ -230,12 +230,12 @@ fn push_event(legs: &mut [RecordedLeg], event: Event, at: &MotionState) {
 fn first_yield_state(ground: Surface, index: usize, begun: f64, track: &[DenseOutput]) -> Option<MotionState> {
     let (piece, yields_at) = (ground.piece(index), ground.elastic_until());
     let distance = yields_at - piece.start + piece.shape.zero_offset();
-    let number = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
+    let number = track.iter().position(|segment| segment.state_at(segment.end).distance > distance)?;
     let begun = number.checked_sub(1).map_or(begun, |before| track[before].end);
-    let ahead = |time: f64| distance - track[number].at(time).distance;
+    let ahead = |time: f64| distance - track[number].state_at(time).distance;
     let is_inside = index == ground.reloading_path.index_at(yields_at) && piece.start < yields_at;
     let is_passed = is_inside && ahead(begun) > 0.0;
-    is_passed.then(|| MotionState { distance, ..track[number].at(illinois((begun, track[number].end), ahead)) })
+    is_passed.then(|| MotionState { distance, ..track[number].state_at(illinois((begun, track[number].end), ahead)) })
 }
 
 /// The times of `samples` points evenly spaced over a motion of this length, without both ends, which are events.

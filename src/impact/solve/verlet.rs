@@ -52,7 +52,7 @@ impl<'a> FixedStepContact<'a> {
 
     /// The speed that the sphere gains when the metal relaxes on a plate: the force falls, and the momentum stays (`motion.rs`).
     /// `speed` is the speed against the plate.
-    fn relaxed(&mut self, speed: f64) -> f64 {
+    fn relaxation_speed(&mut self, speed: f64) -> f64 {
         if speed >= 0.0 || self.drag.plate == 0.0 || self.ground.law.peak_law.is_none() {
             return 0.0;
         }
@@ -149,7 +149,7 @@ impl<'a> FixedStepContact<'a> {
 /// A force of the law with the drag on it, see [`FixedStepContact::forces_at`].
 fn with_damping(drag: DampingCoefficients, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> (f64, f64, f64) {
     // the drag is that of the deceleration g = c f
-    let (in_contact, on_motion) = drag.at(FORCE_FACTOR * force, || FORCE_FACTOR * slope());
+    let (in_contact, on_motion) = drag.rates_at_force(FORCE_FACTOR * force, || FORCE_FACTOR * slope());
     (force, in_contact * speed / FORCE_FACTOR, on_motion * speed)
 }
 
@@ -176,7 +176,7 @@ impl<'a> VerletMotion<'a> {
     fn advance(&mut self) -> (f64, f64) {
         let (step, mut from) = (self.step, self.state);
         let mut half = from.speed + 0.5 * step * self.acceleration;
-        let gained = self.contact.relaxed(half);
+        let gained = self.contact.relaxation_speed(half);
         if gained > 0.0 {
             from.loss -= gained * (half + 0.5 * gained);
             half += gained;
@@ -322,10 +322,10 @@ impl FixedStepContact<'_> {
         let mut states = Vec::new();
         for segment in track {
             while let Some(time) = times.next_if(|time| *time < segment.end) {
-                states.push((segment.at(time), None));
+                states.push((segment.state_at(time), None));
             }
         }
-        let touch = track.first().map_or(*peak, |first| first.at(0.0));
+        let touch = track.first().map_or(*peak, |first| first.state_at(0.0));
         let turning = MotionState { time: outcome.loading_time, speed: 0.0, ..*peak };
         let end = MotionState {
             time: outcome.contact_time,
@@ -345,10 +345,10 @@ impl FixedStepContact<'_> {
         let point = |(state, event): (MotionState, Option<Event>)| {
             if state.time <= outcome.loading_time && event != Some(Event::Relaxation) {
                 let slope = || self.piece_at(state.distance).slope_at(self.touch + state.distance);
-                TracePoint::loading(self.loaded_state(state.distance), slope, self.drag, &state, event)
+                TracePoint::from_loading(self.loaded_state(state.distance), slope, self.drag, &state, event)
             } else {
                 let at = MotionState { distance: state.distance - residual, ..state };
-                TracePoint::unloading(&outcome.unloading, self.drag, &at, event)
+                TracePoint::from_unloading(&outcome.unloading, self.drag, &at, event)
             }
         };
         states.into_iter().map(point).collect()

@@ -94,7 +94,7 @@ pub(super) fn impact_warnings(
     let density = (!contact.has_attached_mass()).then_some(sphere.density);
     warnings.extend(sphere_warnings(sphere.radius, &sphere.material, sphere.yield_strength, density));
     warnings.extend(half_space_warnings(contact.half_space()));
-    warnings.extend(of_balls::of_one_strength(contact, impact));
+    warnings.extend(of_balls::missing_strength_warning(contact, impact));
     warnings.extend(strain_rate_warnings(contact));
     warnings.extend(wave_warning(impact));
     warnings.extend(damping_warning(contact, impact));

@@ -6,7 +6,7 @@ use crate::impact::result::impact::Impact;
 use crate::impact::result::warning::{Warning, WarningKind};
 
 /// The warning for a ball on a ball of the same elastic constants, where one strength is missing and the other ball yields.
-pub(super) fn of_one_strength(contact: &Contact, impact: &Impact) -> Option<Warning> {
+pub(super) fn missing_strength_warning(contact: &Contact, impact: &Impact) -> Option<Warning> {
     let (sphere, target) = (contact.sphere(), contact.half_space());
     let is_of_two_balls = target.support == Support::Ball && sphere.material == target.material;
     let [elastic, yielding] = match [sphere.yield_strength, target.yield_strength] {

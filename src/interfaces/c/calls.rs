@@ -33,7 +33,7 @@ pub fn from_doubles([indentation, force, elastic_approach]: &[f64; 3]) -> Memory
 }
 
 /// Runs `work`; if it panics, returns `otherwise`, so that no panic reaches the caller in C.
-pub fn guarded<T>(otherwise: T, work: impl FnOnce() -> T) -> T {
+pub fn catch_panic<T>(otherwise: T, work: impl FnOnce() -> T) -> T {
     catch_unwind(AssertUnwindSafe(work)).unwrap_or(otherwise)
 }
 

@@ -21,7 +21,7 @@ use std::ffi::{CStr, c_char, c_int};
 use std::path::Path;
 use std::slice;
 
-use self::calls::{VERSION_TEXT, fingerprint_of, force, from_doubles, guarded, write_text};
+use self::calls::{VERSION_TEXT, catch_panic, fingerprint_of, force, from_doubles, write_text};
 use crate::error::Error;
 use crate::impact::{Contact, ContactEnergy, FrictionStep, Memory};
 use crate::report::run::contact_at_scenario_speed;
@@ -89,7 +89,7 @@ pub unsafe extern "C" fn plm_contact_open(path: *const c_char, error: *mut c_cha
 pub unsafe extern "C" fn plm_contact_free(contact: *mut plm_contact) {
     if !contact.is_null() {
         // SAFETY: made by Box::into_raw in `new`, and the caller does not use it afterwards
-        guarded((), || drop(unsafe { Box::from_raw(contact) }));
+        catch_panic((), || drop(unsafe { Box::from_raw(contact) }));
     }
 }
 
@@ -112,7 +112,7 @@ pub unsafe extern "C" fn plm_contact_force(contact: *const plm_contact, indentat
     else {
         return f64::NAN;
     };
-    guarded(f64::NAN, || force(&contact.contact, indentation, memory))
+    catch_panic(f64::NAN, || force(&contact.contact, indentation, memory))
 }
 
 /// `plm_contact_force` for `n` contacts of one sphere and half-space: memory[3 i], memory[3 i + 1], memory[3 i + 2] and
@@ -149,7 +149,7 @@ pub unsafe extern "C" fn plm_contact_forces(
     };
     let mut result = SUCCESS;
     for ((indentation, memory), force) in indentations.iter().zip(memories).zip(forces) {
-        *force = guarded(f64::NAN, || calls::force(&contact.contact, *indentation, memory));
+        *force = catch_panic(f64::NAN, || calls::force(&contact.contact, *indentation, memory));
         if force.is_nan() {
             result = FAILURE;
         }
@@ -293,7 +293,7 @@ pub unsafe extern "C" fn plm_contact_time(contact: *const plm_contact, speed: f6
     let (Some(contact), restitution) = (unsafe { contact.as_ref() }, unsafe { restitution.as_mut() }) else {
         return f64::NAN;
     };
-    let (time, e) = guarded((f64::NAN, f64::NAN), || {
+    let (time, e) = catch_panic((f64::NAN, f64::NAN), || {
         contact
             .contact
             .closed_form(speed)
@@ -315,7 +315,7 @@ pub unsafe extern "C" fn plm_contact_restitution_with_waves(contact: *const plm_
     // SAFETY: as the caller promises
     let Some(contact) = (unsafe { contact.as_ref() }) else { return f64::NAN };
     let with_waves = || contact.contact.closed_form(speed).ok()?.restitution_with_waves();
-    guarded(f64::NAN, || with_waves().unwrap_or(f64::NAN))
+    catch_panic(f64::NAN, || with_waves().unwrap_or(f64::NAN))
 }
 
 /// Indentation [m] up to which the data behind the law reach. Beyond it forces and dent are estimates.
@@ -347,7 +347,7 @@ pub unsafe extern "C" fn plm_contact_fingerprint(contact: *const plm_contact) ->
 unsafe fn number(contact: *const plm_contact, question: impl Fn(&Contact) -> f64) -> f64 {
     // SAFETY: as the caller promises
     let Some(contact) = (unsafe { contact.as_ref() }) else { return f64::NAN };
-    guarded(f64::NAN, || question(&contact.contact))
+    catch_panic(f64::NAN, || question(&contact.contact))
 }
 
 /// Calls `question` with a contact and its memory; returns `nothing` if a pointer is NULL.
@@ -368,7 +368,7 @@ where
     else {
         return nothing;
     };
-    guarded(nothing, || question(&contact.contact, &from_doubles(memory)))
+    catch_panic(nothing, || question(&contact.contact, &from_doubles(memory)))
 }
 
 /// # Safety
@@ -381,7 +381,7 @@ unsafe fn new(
 ) -> *mut plm_contact {
     // SAFETY: not NULL, and it ends with a zero as the caller promises
     let text = if text.is_null() { None } else { Some(unsafe { CStr::from_ptr(text) }) };
-    let made = guarded(Err("the program has an error: it panicked".to_owned()), || {
+    let made = catch_panic(Err("the program has an error: it panicked".to_owned()), || {
         let text = text.ok_or("no scenario: the pointer is NULL")?;
         let text = text.to_str().map_err(|_| "the scenario is not UTF-8")?;
         let contact = read(text).and_then(|scenario| contact_at_scenario_speed(&scenario));

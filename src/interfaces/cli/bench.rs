@@ -19,7 +19,7 @@ use super::watch::{Signals, Watch};
 #[command(after_help = "Examples:
   plm-impact bench --out bench
   plm-impact bench --quick --out quick-bench")]
-pub struct Arguments {
+pub struct BenchArguments {
     /// Output directory
     #[arg(long, value_name = "DIR", default_value = "plots/bench")]
     out: PathBuf,
@@ -34,12 +34,12 @@ pub struct Arguments {
 /// The report in Markdown.
 const REPORT_PAGE: &str = "README.md";
 
-pub fn bench(arguments: &Arguments) -> Result<(), Error> {
+pub fn bench(arguments: &BenchArguments) -> Result<(), Error> {
     let signals = Signals::listen()?;
     let directory = OutputDirectory::prepare(&arguments.out, ResultOrigin::Command("bench"), arguments.force)?;
     let is_quick = arguments.quick;
     // a bar would disturb the measurement
-    let (text, files) = Watch::without_files(true).watch(signals, move |_| measured(is_quick))?;
+    let (text, files) = Watch::without_files(true).watch(signals, move |_| measure_all(is_quick))?;
     let path = directory.path().to_owned();
     let removed = directory.write(&files)?;
     note_replaced(&directory, &removed);
@@ -49,7 +49,7 @@ pub fn bench(arguments: &Arguments) -> Result<(), Error> {
 }
 
 /// Measures everything. Returns the page, and all files.
-fn measured(is_quick: bool) -> Result<(String, Vec<OutputFile>), Error> {
+fn measure_all(is_quick: bool) -> Result<(String, Vec<OutputFile>), Error> {
     let (rounds, burst) = if is_quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };
     let mut all = Vec::new();
     for problem in problems::problems().map_err(failed_with("problems"))? {

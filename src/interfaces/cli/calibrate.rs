@@ -7,7 +7,7 @@ use plm_impact::error::Error;
 use plm_impact::scenario::keys::words::LAWS;
 
 use super::output::OutputArguments;
-use super::scenario::{ScenarioArguments, at_options};
+use super::scenario::{ScenarioArguments, error_at_options};
 use super::terminal::failed_with;
 
 /// Find keys of a scenario from measurements: yield strength from rebounds, with intervals
@@ -21,7 +21,7 @@ use super::terminal::failed_with;
 #[command(after_help = "Examples:
   plm-impact calibrate impact.toml --drop-height \"1 m\" --rebound-height \"24 cm\"
   plm-impact calibrate impact.toml rebounds.csv --set law=thornton --out by-thornton")]
-pub struct Arguments {
+pub struct CalibrateArguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
     /// Measurements, in place of calibrate.data
@@ -55,14 +55,14 @@ pub struct Arguments {
     output: OutputArguments,
 }
 
-pub fn calibrate(arguments: &Arguments) -> Result<(), Error> {
+pub fn calibrate(arguments: &CalibrateArguments) -> Result<(), Error> {
     let scenario =
-        arguments.scenario.load_with(&arguments.overrides()?).map_err(|error| at_options(error, &OPTIONS))?;
-    scenario.calibration_request().map_err(|error| at_options(error, &OPTIONS))?;
+        arguments.scenario.load_with(&arguments.overrides()?).map_err(|error| error_at_options(error, &OPTIONS))?;
+    scenario.calibration_request().map_err(|error| error_at_options(error, &OPTIONS))?;
     arguments.output.run_and_write(arguments.scenario.name(), scenario)
 }
 
-/// The keys of the scenario that options give, in the order of [`Arguments::numbers`].
+/// The keys of the scenario that options give, in the order of [`CalibrateArguments::numbers`].
 const OPTIONS: [(&str, &str); 7] = [
     ("calibrate.measured.restitution", "--restitution"),
     ("calibrate.measured.rebound_speed", "--rebound-speed"),
@@ -73,7 +73,7 @@ const OPTIONS: [(&str, &str); 7] = [
     ("impact.drop_height", "--drop-height"),
 ];
 
-impl Arguments {
+impl CalibrateArguments {
     /// The values of [`OPTIONS`].
     fn numbers(&self) -> [&Option<String>; 7] {
         [

@@ -21,7 +21,7 @@ use super::scenario::write_new_scenario;
 #[command(group = ArgGroup::new("approach").required(true), after_help = "Examples:
   plm-impact drop --ball steel-52100-hardened --diameter \"10 mm\" --on aluminium-6061-t6 --from \"1 m\"
   plm-impact drop --ball alumina-99.5 --diameter \"5 mm\" --on steel-s235 --speed \"2 m/s\" --save drop.toml")]
-pub struct Arguments {
+pub struct DropArguments {
     /// Material of the ball; `plm-impact materials` lists all
     #[arg(long, value_name = "MATERIAL")]
     ball: String,
@@ -75,16 +75,16 @@ pub struct Arguments {
     strict: bool,
 }
 
-pub fn drop(arguments: &Arguments) -> Result<(), Error> {
+pub fn drop(arguments: &DropArguments) -> Result<(), Error> {
     let text = arguments.scenario();
-    let scenario = Scenario::from_text("the options of drop", &text, &[]).map_err(at_options)?;
+    let scenario = Scenario::from_text("the options of drop", &text, &[]).map_err(error_at_options)?;
     let options = RunOptions {
         command: &super::output::command_line(),
         detail: Detail::Brief,
         pictures: PictureFormat::None,
         progress: &Progress::default(),
     };
-    let outcome = super::output::run_scenario(&scenario, &options).map_err(at_options)?;
+    let outcome = super::output::run_scenario(&scenario, &options).map_err(error_at_options)?;
     let warnings: Vec<String> = outcome.warnings.iter().map(|text| with_options(text)).collect();
     super::output::print_warnings(&warnings);
     refuse_warnings(&scenario, outcome.warnings.len(), arguments.strict)?;
@@ -124,7 +124,7 @@ fn with_options(text: &str) -> String {
 }
 
 /// The error with options in place of lines and keys of the scenario, which nobody wrote.
-fn at_options(error: Error) -> Error {
+fn error_at_options(error: Error) -> Error {
     error.with_texts(|details, _| {
         let (key, message) = (details.key.as_deref()?, details.message.as_deref()?);
         let option = OPTIONS.into_iter().find(|(path, _)| *path == key).map(|(_, option)| option);
@@ -132,7 +132,7 @@ fn at_options(error: Error) -> Error {
     })
 }
 
-impl Arguments {
+impl DropArguments {
     /// The scenario, as a person would write it.
     fn scenario(&self) -> String {
         let mut text = "# A drop, as `plm-impact drop` was asked for it.\n\n[sphere]\n".to_owned();

@@ -13,7 +13,7 @@ use super::scenario::ScenarioArguments;
 #[command(after_help = "Examples:
   plm-impact export impact.toml --to lammps --speed \"1 m/s\"
   plm-impact export impact.toml --to csv --speeds \"0.1 m/s,10 m/s\"")]
-pub struct Arguments {
+pub struct ExportArguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
     /// The code
@@ -27,7 +27,7 @@ pub struct Arguments {
     speeds: Option<String>,
 }
 
-pub fn export(arguments: &Arguments) -> Result<(), Error> {
+pub fn export(arguments: &ExportArguments) -> Result<(), Error> {
     let request = ExportRequest {
         target: arguments.to,
         speed: arguments.speed.as_deref().map(|text| speed("--speed", text)).transpose()?,

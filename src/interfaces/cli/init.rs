@@ -16,7 +16,7 @@ use super::scenario::{STANDARD_INPUT, write_new_scenario};
 #[command(after_help = "Examples:
   plm-impact init leeb
   plm-impact init --out - | plm-impact run - --json")]
-pub struct Arguments {
+pub struct InitArguments {
     /// Kind of the scenario
     #[arg(value_name = "KIND", default_value = "impact", value_parser = parse_choice(TEMPLATES, |(name, _)| name))]
     template: (&'static str, &'static str),
@@ -25,7 +25,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
 }
 
-pub fn init(Arguments { template: (name, text), out }: &Arguments) -> Result<(), Error> {
+pub fn init(InitArguments { template: (name, text), out }: &InitArguments) -> Result<(), Error> {
     let out = out.clone().unwrap_or_else(|| format!("{name}.toml").into());
     if out == Path::new(STANDARD_INPUT) {
         return super::terminal::print(text);

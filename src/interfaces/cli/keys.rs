@@ -11,13 +11,13 @@ use plm_impact::strings::did_you_mean;
 #[command(after_help = "Examples:
   plm-impact keys impact.angle
   plm-impact keys hardness")]
-pub struct Arguments {
+pub struct KeysArguments {
     /// A key with its table, or a part of several keys [default: all]
     #[arg(default_value = "", hide_default_value = true)]
     key: String,
 }
 
-pub fn keys(Arguments { key }: &Arguments) -> Result<(), Error> {
+pub fn keys(KeysArguments { key }: &KeysArguments) -> Result<(), Error> {
     let text = describe_keys(key).ok_or_else(|| {
         if let Some(about) = describe_result(key) {
             return Error::input(format!("\"{key}\" is a result, not a key: {about}"));

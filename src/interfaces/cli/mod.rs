@@ -52,12 +52,12 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Drop(drop::Arguments),
-    Init(init::Arguments),
-    Run(run::Arguments),
+    Drop(drop::DropArguments),
+    Init(init::InitArguments),
+    Run(run::RunArguments),
     Check(run::CheckArguments),
-    Calibrate(calibrate::Arguments),
-    Export(export::Arguments),
+    Calibrate(calibrate::CalibrateArguments),
+    Export(export::ExportArguments),
     /// List the contact laws: name, source, loading, unloading, validity, confidence; and those that are not public
     #[command(after_help = "Examples:
   plm-impact laws
@@ -67,16 +67,16 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-    Materials(materials::Arguments),
-    Keys(keys::Arguments),
-    Units(units::Arguments),
+    Materials(materials::MaterialsArguments),
+    Keys(keys::KeysArguments),
+    Units(units::UnitsArguments),
     /// Print the JSON Schema of a scenario, for editors and for programs that write scenarios
     #[command(after_help = "Examples:
   plm-impact schema > scenario.schema.json
   plm-impact schema | grep drop_height")]
     Schema,
-    Validate(validate::Arguments),
-    Bench(bench::Arguments),
+    Validate(validate::ValidateArguments),
+    Bench(bench::BenchArguments),
     Completions(completions::Completions),
 }
 
@@ -151,7 +151,7 @@ mod tests {
     use super::*;
 
     /// The words of a line as a shell makes them, up to a pipe.
-    fn words(line: &str) -> Vec<String> {
+    fn split_words(line: &str) -> Vec<String> {
         let (mut words, mut is_quoted) = (vec![String::new()], false);
         for c in line.chars().take_while(|c| *c != '|' && *c != '>') {
             match c {
@@ -172,7 +172,7 @@ mod tests {
             let examples: Vec<&str> = text.strip_prefix("Examples:\n").unwrap_or_default().lines().collect();
             assert_eq!(examples.len(), 2, "{}", command.get_name());
             for example in examples {
-                let parsed = Cli::try_parse_from(words(example.trim()));
+                let parsed = Cli::try_parse_from(split_words(example.trim()));
                 assert!(parsed.is_ok(), "{example}: {:?}", parsed.err());
             }
         }

@@ -8,14 +8,14 @@ use plm_impact::report::run::Outcome;
 use serde_json::Value;
 
 use super::output::OutputArguments;
-use super::scenario::{ScenarioArguments, at_options};
+use super::scenario::{ScenarioArguments, error_at_options};
 
 /// Run a scenario: summary, trace and pictures into a directory, a table to the terminal
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact run impact.toml --set impact.speed=\"1 m/s\" --pictures svg
   plm-impact run impact.toml sweep.toml --set law=thornton")]
-pub struct Arguments {
+pub struct RunArguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
     /// More scenario files; each is run with the same options into a directory of its own
@@ -30,7 +30,7 @@ pub struct Arguments {
     sweep: super::table::Options,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Error> {
+pub fn run(arguments: &RunArguments) -> Result<(), Error> {
     if arguments.more.is_empty() {
         return run_file(arguments, &arguments.scenario);
     }
@@ -69,11 +69,11 @@ fn refuse_same_names(files: &[ScenarioArguments]) -> Result<(), Error> {
 }
 
 /// Runs one of the files.
-fn run_file(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
+fn run_file(arguments: &RunArguments, file: &ScenarioArguments) -> Result<(), Error> {
     let speed = arguments.speed.as_ref().map(|speed| format!("impact.speed={speed}"));
     let options = [("impact.speed", "--speed")];
     let mut scenario =
-        file.load_with(speed.as_slice()).map_err(|error| at_options(error, &options[..speed.iter().len()]))?;
+        file.load_with(speed.as_slice()).map_err(|error| error_at_options(error, &options[..speed.iter().len()]))?;
     let kind = scenario.kind()?;
     if kind.is_table() {
         return super::table::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario);

@@ -27,7 +27,7 @@ pub fn write_new_scenario(path: &Path, text: &str, option: &str) -> Result<(), E
 }
 
 /// The error with the options that give keys of the scenario, in place of the `--set` that the program made of them.
-pub fn at_options(error: Error, options: &[(&str, &str)]) -> Error {
+pub fn error_at_options(error: Error, options: &[(&str, &str)]) -> Error {
     error.with_texts(|_, text| {
         let rest = text.strip_prefix("--set ")?;
         let (option, rest) =

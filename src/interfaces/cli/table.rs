@@ -60,9 +60,9 @@ const ROWS_PER_PART_VARIABLE: &str = "PLM_IMPACT_ROWS_PER_PART";
 /// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
 pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {
     let plan = scenario.plan()?;
-    let cautions = table::cautions(&plan, None);
-    print_warnings(&cautions.warnings);
-    refuse_warnings(scenario, cautions.warnings.len(), output.strict)?;
+    let warnings_and_notes = table::table_warnings(&plan, None);
+    print_warnings(&warnings_and_notes.warnings);
+    refuse_warnings(scenario, warnings_and_notes.warnings.len(), output.strict)?;
     let shard = options.shard.as_deref().map(parse_shard).transpose()?;
     let pictures = output.pictures.format;
     if shard.is_some() && output.json {
@@ -96,7 +96,7 @@ pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &
         let written = with_threads(threads, || job.run())??;
         Ok((directory, plan, written))
     })?;
-    let about = table::text(&plan, &written.tally, &cautions);
+    let about = table::table_text(&plan, &written.tally, &warnings_and_notes);
     let (mut files, mut removed) = (Vec::new(), Vec::new());
     if shard.is_none() {
         let leaves = "the table is written, its summary is not; give the same command again";
@@ -106,7 +106,7 @@ pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &
         provenance.files.extend(table.map(|name| name.to_string_lossy().into_owned()));
         provenance.files.extend(other_table(&directory, &provenance.files));
         files = Watch { on_abandon: leaves, ..Watch::without_files(output.quiet) }
-            .watch(signals, move |_| table::files(&plan, &tally, &cautions, provenance, pictures))?;
+            .watch(signals, move |_| table::files(&plan, &tally, &warnings_and_notes, provenance, pictures))?;
         removed = directory.write(&files)?;
     }
     note_replaced(&directory, &removed);

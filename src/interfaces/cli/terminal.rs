@@ -82,15 +82,15 @@ fn write_line(level: &str, color: Option<AnsiColor>, exit_code: Option<u8>, text
 
 /// The text without control characters, which names of files and keys may hold and which a terminal obeys.
 fn escape_control(text: &str) -> String {
-    escaped(text, |c| c.escape_default().to_string())
+    escape_with(text, |c| c.escape_default().to_string())
 }
 
 /// Escapes control characters of JSON, where they stand in texts alone.
 fn escape_control_json(text: &str) -> String {
-    escaped(text, |c| format!("\\u{:04x}", u32::from(c)))
+    escape_with(text, |c| format!("\\u{:04x}", u32::from(c)))
 }
 
-fn escaped(text: &str, escape: fn(char) -> String) -> String {
+fn escape_with(text: &str, escape: fn(char) -> String) -> String {
     let is_obeyed = |c: char| c.is_control() && c != '\n' && c != '\t';
     text.chars().map(|c| if is_obeyed(c) { escape(c) } else { c.to_string() }).collect()
 }

@@ -9,8 +9,8 @@ use plm_impact::report::text::units::list;
 #[command(after_help = "Examples:
   plm-impact units
   plm-impact run impact.toml --set sphere.radius=\"1/4 in\"")]
-pub struct Arguments {}
+pub struct UnitsArguments {}
 
-pub fn units(Arguments {}: &Arguments) -> Result<(), Error> {
+pub fn units(UnitsArguments {}: &UnitsArguments) -> Result<(), Error> {
     super::terminal::print(&list())
 }

@@ -21,7 +21,7 @@ use super::watch::{Signals, Watch};
 #[command(after_help = "Examples:
   plm-impact validate --out validation --pictures none
   plm-impact validate --coefficients mine.toml --out mine")]
-pub struct Arguments {
+pub struct ValidateArguments {
     /// Output directory
     #[arg(long, value_name = "DIR", default_value = "plots/validate")]
     out: PathBuf,
@@ -35,7 +35,7 @@ pub struct Arguments {
     pictures: PictureArguments,
 }
 
-pub fn validate(arguments: &Arguments) -> Result<(), Error> {
+pub fn validate(arguments: &ValidateArguments) -> Result<(), Error> {
     let own = arguments.coefficients.as_deref().map(load_coefficients).transpose()?;
     let is_built_in = own.is_none();
     let coefficients = own.unwrap_or_else(|| PlmCoefficients::built_in().clone());

@@ -95,7 +95,7 @@ fn first_case(input: &Input, kind: Kind, paths: &[&str]) -> String {
     let is_of_bodies = |path: &&&str| !path.starts_with("impact.") && !path.starts_with("solver.");
     let value = |path: &&str| {
         let key_values = key_values.iter().find(|key_values| key_values.path == *path)?;
-        Some(format!("{path} = {}", key_values.text()))
+        Some(format!("{path} = {}", key_values.terminal_text()))
     };
     let values: Vec<String> = paths.iter().filter(is_of_bodies).filter_map(value).collect();
     let name = kind.name();

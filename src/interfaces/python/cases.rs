@@ -15,7 +15,7 @@ use crate::impact::{self, Method, Solver};
 use crate::report::run::table;
 use crate::scenario::Scenario;
 use crate::scenario::input::{Input, NUMERIC_KEYS, NumericKey};
-use crate::scenario::plan::{Axis, AxisValues, Cases, Plan};
+use crate::scenario::plan::{AxisValues, Cases, Plan, SweepAxis};
 use crate::table::RowFailure;
 use crate::table::format::arrow;
 use crate::table::format::column::TableColumn;
@@ -37,9 +37,9 @@ pub const SPEED: &str = "impact.speed";
 /// A bad key or value raises ValueError, one of a wrong type TypeError; the message has the key, the value and what is
 /// allowed. Warnings are ModelWarning, at most one a call. A contact can be pickled, and threads may share it. Two contacts
 /// with the same input are equal.
-#[pyclass(frozen, module = "plm_impact")]
+#[pyclass(frozen, name = "Contact", module = "plm_impact")]
 #[derive(Debug)]
-pub struct Contact {
+pub struct PyContact {
     pub scenario: Scenario,
     pub input: Input,
     /// Its bodies and their law.
@@ -62,7 +62,7 @@ impl KeyValues {
             Ok(text) => {
                 let value = key.quantity.parse(&text.to_cow()?).map_err(|text| key_error(key, "", &text))?;
                 key.quantity.check(value).map_err(|error| key_error(key, "", &error))?;
-                Numbers::one(value)
+                Numbers::scalar(value)
             }
             Err(_) => numbers(value, key.path)?,
         };
@@ -102,7 +102,7 @@ fn key_error(key: &NumericKey, place: &str, message: &str) -> PyErr {
 
 /// The plan of a table in which these keys vary, each between its smallest and its largest value. It is refused for the
 /// same reasons as a scenario with these axes. What does not depend on the values is found once for the same keys.
-fn plan(contact: &Contact, given: &[KeyValues]) -> PyResult<Plan> {
+fn plan(contact: &PyContact, given: &[KeyValues]) -> PyResult<Plan> {
     let ends: Vec<Vec<f64>> = given.iter().map(KeyValues::value_range).collect();
     let keys: Vec<_> =
         given.iter().zip(&ends).map(|(given, ends)| (given.key.path, ends.first() == Some(&0.0))).collect();
@@ -125,7 +125,7 @@ fn plan(contact: &Contact, given: &[KeyValues]) -> PyResult<Plan> {
         plan
     };
     if ends.iter().all(|ends| !ends.is_empty()) {
-        let axis = |(given, ends): (&KeyValues, Vec<f64>)| Axis::from_numbers(given.key, AxisValues::List(ends));
+        let axis = |(given, ends): (&KeyValues, Vec<f64>)| SweepAxis::from_numbers(given.key, AxisValues::List(ends));
         plan.cases = Cases::Grid(given.iter().zip(ends).map(axis).collect());
     }
     Ok(plan)
@@ -139,7 +139,7 @@ pub fn numeric_keys() -> Vec<&'static str> {
 
 /// The values of a numeric key in SI units: a number, or an array in the shape of `value`.
 #[pyfunction]
-pub fn validated<'py>(contact: &Contact, path: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+pub fn validated<'py>(contact: &PyContact, path: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let Some(key) = NumericKey::find(path) else {
         // a scenario refuses it with a suggestion
         let refusal = with_overrides(&contact.scenario, [format!("sweep.{}=[1]", serde_json::Value::from(path))]);
@@ -154,7 +154,7 @@ pub fn validated<'py>(contact: &Contact, path: &str, value: &Bound<'py, PyAny>) 
 #[allow(clippy::needless_pass_by_value)] // what Python hands over
 pub fn rows<'py>(
     py: Python<'py>,
-    contact: &Contact,
+    contact: &PyContact,
     keys: Vec<(String, Bound<'py, PyAny>)>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let given = keys.iter().map(|(path, values)| {
@@ -198,7 +198,7 @@ fn not_allowed(given: &[KeyValues], row: usize) -> Option<String> {
 /// The columns of [`evaluate`], and the warnings. Rows with a value that is not allowed have NaN, and the status says so.
 fn listed_if_allowed(
     py: Python<'_>,
-    contact: &Contact,
+    contact: &PyContact,
     plan: &Plan,
     given: &[KeyValues],
     count: usize,
@@ -209,7 +209,7 @@ fn listed_if_allowed(
     let mut warnings = if allowed.is_empty() {
         Vec::new()
     } else {
-        py.detach(|| table::cautions(plan, Some(&contact.inner)).warnings)
+        py.detach(|| table::table_warnings(plan, Some(&contact.inner)).warnings)
     };
     if allowed.len() == count {
         let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
@@ -231,7 +231,7 @@ fn listed_if_allowed(
 }
 
 /// Restitution at these speeds, in an array of their shape, or as a number for one speed.
-pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+pub fn restitution<'py>(contact: &PyContact, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let py = speed.py();
     let given = [KeyValues::speed(speed)?];
     let plan = plan(contact, &given)?;
@@ -252,7 +252,7 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
             }
         };
         if speeds.iter().any(|speed| given[0].is_allowed(*speed)) {
-            warnings = py.detach(|| table::cautions(&plan, Some(&contact.inner)).warnings);
+            warnings = py.detach(|| table::table_warnings(&plan, Some(&contact.inner)).warnings);
         }
         warnings.extend((0..speeds.len()).find_map(|row| not_allowed(&given, row)));
         workers::columns(py, speeds.len(), &[1, 1], false, |cases| {

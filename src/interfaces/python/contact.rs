@@ -8,16 +8,16 @@ use pyo3::exceptions::{PyAttributeError, PyOverflowError, PyTypeError, PyValueEr
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 
-use super::cases::{self, Contact, KeyValues, SPEED};
+use super::cases::{self, KeyValues, PyContact, SPEED};
 use super::convert::{Numbers, Reduced, exception, from_json, html, source_of, warn, with_overrides};
 use super::force::force;
 use super::table::table_of_csv;
 use crate::error::Error;
 use crate::impact;
 use crate::report::pictures;
-use crate::report::run::{at_scenario_speed, no_result_error, warning_texts};
+use crate::report::run::{no_result_error, rate_dependent_contact, warning_texts};
 use crate::report::text::overview::overview;
-use crate::report::text::{Detail, table, trace_csv};
+use crate::report::text::{Detail, impact_text, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::{TABLES, to_fields};
 use crate::scenario::input::RunKind;
@@ -30,7 +30,7 @@ use crate::strings::did_you_mean;
 /// The name of the contact in messages.
 const NAME: &str = "Contact";
 
-impl Contact {
+impl PyContact {
     /// The contact, and the warnings about its keys.
     fn from_source(source: &ScenarioSource) -> PyResult<(Self, Vec<String>)> {
         let scenario = Scenario::from_source(NAME, source).map_err(exception)?;
@@ -68,7 +68,7 @@ impl Contact {
 
     /// The contact, with the strength of its own speed if it depends on one.
     fn at_own_rate(&self) -> PyResult<Cow<'_, impact::Contact>> {
-        let own = at_scenario_speed(&self.scenario, &self.input, &self.inner).map_err(exception)?;
+        let own = rate_dependent_contact(&self.scenario, &self.input, &self.inner).map_err(exception)?;
         Ok(own.map_or(Cow::Borrowed(&self.inner), Cow::Owned))
     }
 
@@ -92,7 +92,7 @@ impl Contact {
 }
 
 #[pymethods]
-impl Contact {
+impl PyContact {
     #[new]
     #[pyo3(signature = (**tables), text_signature = "(*, sphere, half_space, **tables)")]
     fn new(py: Python<'_>, tables: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
@@ -117,7 +117,7 @@ impl Contact {
         slf: &Bound<'_, Self>,
         speed: Option<&Bound<'_, PyAny>>,
         samples: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Impact> {
+    ) -> PyResult<PyImpact> {
         // without a speed it is that of the scenario, which may be that of a fall
         let falls = speed.is_none();
         let speed = slf.get().speed(speed)?;
@@ -126,7 +126,7 @@ impl Contact {
             SAMPLES.check(samples as f64).map_err(|error| PyValueError::new_err(format!("samples: {error}")))?;
         }
         let samples = samples.and_then(|samples| samples.try_into().ok());
-        let mut impact = Impact::compute(slf.py(), slf.clone().unbind(), speed, samples)?;
+        let mut impact = PyImpact::compute(slf.py(), slf.clone().unbind(), speed, samples)?;
         if falls {
             impact.result.warnings.extend(slf.get().input.flight_warnings());
         }
@@ -216,13 +216,13 @@ impl Contact {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (String,)> {
         let texts = serde_json::to_string(&slf.get().scenario.source());
-        Ok((slf.get_type().getattr("_of_texts")?, (texts.map_err(unexpected)?,)))
+        Ok((slf.get_type().getattr("_of_texts")?, (texts.map_err(json_error)?,)))
     }
 
     #[staticmethod]
     fn _of_texts(texts: &str) -> PyResult<Self> {
         // whoever made the contact had its warnings
-        Ok(Self::from_source(&serde_json::from_str(texts).map_err(unexpected)?)?.0)
+        Ok(Self::from_source(&serde_json::from_str(texts).map_err(json_error)?)?.0)
     }
 }
 
@@ -234,7 +234,7 @@ fn whole_number(value: &Bound<'_, PyAny>) -> PyResult<i64> {
 }
 
 #[allow(clippy::needless_pass_by_value)] // for map_err
-fn unexpected(error: serde_json::Error) -> PyErr {
+fn json_error(error: serde_json::Error) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
@@ -242,10 +242,10 @@ fn unexpected(error: serde_json::Error) -> PyErr {
 /// `impact.contact_time_s`, `impact.energy` (a dict). `dir(impact)` lists them. A result without a value is `None`; one that
 /// this contact does not have raises AttributeError. `impact.trace` is the trace, computed when it is asked for. A pickled
 /// impact is computed again when it is read.
-#[pyclass(frozen, module = "plm_impact")]
+#[pyclass(frozen, name = "Impact", module = "plm_impact")]
 #[derive(Debug)]
-pub struct Impact {
-    contact: Py<Contact>,
+pub struct PyImpact {
+    contact: Py<PyContact>,
     result: impact::Impact,
     /// The contact with the strength of this impact, where that depends on the speed.
     own: Option<impact::Contact>,
@@ -259,8 +259,8 @@ pub struct Impact {
     trace: OnceLock<Py<PyAny>>,
 }
 
-impl Impact {
-    fn compute(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+impl PyImpact {
+    fn compute(py: Python<'_>, contact: Py<PyContact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
         let holder = contact.get();
         let computed = || -> Result<_, Error> {
             let own = holder.at_rate_of(speed)?;
@@ -284,7 +284,7 @@ impl Impact {
         })
     }
 
-    fn single(&self) -> SingleImpact<'_> {
+    fn single_impact(&self) -> SingleImpact<'_> {
         let contact = self.contact.get();
         let own = self.own.as_ref().unwrap_or(&contact.inner);
         let interval = || restitution_interval(&contact.input, own, self.result.speed, &self.result.essentials);
@@ -294,7 +294,7 @@ impl Impact {
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.
-    fn traced(&self) -> PyResult<&impact::Impact> {
+    fn impact_with_trace(&self) -> PyResult<&impact::Impact> {
         if self.result.trace.is_empty() {
             if let Some(traced) = self.traced.get() {
                 return Ok(traced);
@@ -309,9 +309,9 @@ impl Impact {
 }
 
 #[pymethods]
-impl Impact {
+impl PyImpact {
     fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let single = self.single();
+        let single = self.single_impact();
         if let Some(result) = impact_results().iter().find(|result| result.name == name) {
             let missing = || {
                 PyAttributeError::new_err(match result.condition {
@@ -330,13 +330,13 @@ impl Impact {
         Err(PyAttributeError::new_err(format!("an impact has no result \"{name}\"{hint}")))
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Py<Contact>, f64, Option<usize>)> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Py<PyContact>, f64, Option<usize>)> {
         let Self { contact, result, samples, .. } = slf.get();
         Ok((slf.get_type().getattr("_of_speed")?, (contact.clone_ref(slf.py()), result.speed, *samples)))
     }
 
     #[staticmethod]
-    fn _of_speed(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+    fn _of_speed(py: Python<'_>, contact: Py<PyContact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
         Self::compute(py, contact, speed, samples)
     }
 
@@ -351,8 +351,8 @@ impl Impact {
 
     /// All results by name, as in `summary.json`.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let value = serde_json::to_value(to_fields(&impact_results(), &self.single()));
-        let value = value.map_err(unexpected)?;
+        let value = serde_json::to_value(to_fields(&impact_results(), &self.single_impact()));
+        let value = value.map_err(json_error)?;
         Ok(from_json(py, &value)?.cast_into::<PyDict>()?)
     }
 
@@ -362,7 +362,7 @@ impl Impact {
         if let Some(array) = self.trace.get() {
             return Ok(array.bind(py).clone());
         }
-        let csv = py.detach(|| trace_csv(self.traced()?).map_err(exception))?;
+        let csv = py.detach(|| trace_csv(self.impact_with_trace()?).map_err(exception))?;
         let array = table_of_csv(py, &csv)?.call_method0("to_numpy")?;
         // every access gives the same array
         array.call_method1("setflags", (false,))?;
@@ -371,7 +371,7 @@ impl Impact {
     }
 
     fn __repr__(&self) -> String {
-        format!("<plm_impact.Impact>\n{}", table(&self.single(), Detail::Normal).trim_end())
+        format!("<plm_impact.Impact>\n{}", impact_text(&self.single_impact(), Detail::Normal).trim_end())
     }
 
     /// The picture of the force against the indentation, as PNG.
@@ -379,7 +379,7 @@ impl Impact {
     fn picture<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let picture = py.detach(|| {
             let caption = pictures::caption::caption(&self.contact.get().input, &[]);
-            let drawn = pictures::force_indentation(self.traced()?).map_err(exception)?;
+            let drawn = pictures::force_indentation(self.impact_with_trace()?).map_err(exception)?;
             Ok::<_, PyErr>(drawn.with_caption(caption).to_png().map_err(exception))
         });
         Ok(PyBytes::new(py, &picture??))

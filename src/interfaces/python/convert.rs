@@ -50,7 +50,7 @@ pub struct Numbers {
 }
 
 impl Numbers {
-    pub fn one(value: f64) -> Self {
+    pub fn scalar(value: f64) -> Self {
         Self { shape: Vec::new(), values: vec![value] }
     }
 
@@ -73,7 +73,7 @@ pub fn numbers(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Numbers> {
         if number.as_ref().is_err_and(|error| error.is_instance_of::<PyOverflowError>(value.py())) {
             return Err(PyValueError::new_err(format!("{place}: the whole number is too large")));
         }
-        return Ok(Numbers::one(number?));
+        return Ok(Numbers::scalar(number?));
     }
     // as it comes from NumPy; a subclass may have units or a mask, and data from another process may not be aligned
     let array = match value.cast_exact::<PyArrayDyn<f64>>() {

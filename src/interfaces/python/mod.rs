@@ -21,14 +21,14 @@ mod _core {
     use super::convert::from_json;
     #[pymodule_export]
     use super::{
-        cases::{Contact, numeric_keys, rows, validated},
-        contact::Impact,
+        cases::{PyContact, numeric_keys, rows, validated},
+        contact::PyImpact,
         outcome::{calibrate, run},
         table::{Column, arrow_stream, table_of_csv},
     };
     use crate::contact::law::LawChoice;
     use crate::files::VERSION;
-    use crate::materials::all;
+    use crate::materials::all_materials;
     use crate::report::text::materials::materials_json;
 
     #[pymodule_init]
@@ -47,7 +47,7 @@ mod _core {
     /// note, and properties. A property has its value and the ends of its range in SI units, the basis and the sources.
     #[pyfunction]
     fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-        from_json(py, &materials_json(&all().iter().collect::<Vec<_>>()))
+        from_json(py, &materials_json(&all_materials().iter().collect::<Vec<_>>()))
     }
 
     /// The JSON Schema of a scenario, as a dict.

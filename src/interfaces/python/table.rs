@@ -23,12 +23,12 @@ use crate::table::format::arrow;
 pub struct Column(ArrayRef);
 
 impl Column {
-    fn numbers(&self) -> Option<&Float64Array> {
+    fn as_numbers(&self) -> Option<&Float64Array> {
         self.0.as_primitive_opt::<Float64Type>()
     }
 
     /// The different words, and for every row the place of its word.
-    fn words(&self) -> Option<(Vec<&str>, &[i32])> {
+    fn as_words(&self) -> Option<(Vec<&str>, &[i32])> {
         let array = self.0.as_dictionary_opt::<Int32Type>()?;
         Some((array.values().as_string_opt::<i32>()?.iter().flatten().collect(), array.keys().values()))
     }
@@ -39,7 +39,7 @@ impl Column {
     /// The numbers, which NumPy reads without a copy.
     #[getter]
     fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let Some(array) = self.numbers() else { return Ok(None) };
+        let Some(array) = self.as_numbers() else { return Ok(None) };
         let interface = PyDict::new(py);
         interface.set_item("version", 3)?;
         interface.set_item("shape", (array.len(),))?;
@@ -51,13 +51,13 @@ impl Column {
 
     /// The different words, and for every row the index of its word; `None` for a column of numbers.
     fn categories<'py>(&self, py: Python<'py>) -> Option<(Vec<&str>, Bound<'py, PyArray1<i32>>)> {
-        self.words().map(|(words, places)| (words, PyArray1::from_slice(py, places)))
+        self.as_words().map(|(words, places)| (words, PyArray1::from_slice(py, places)))
     }
 
     /// The column as a read-only NumPy array with one axis. Rows with the same word share one text: 8 bytes a row.
     fn numpy<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let numpy = slf.py().import("numpy")?;
-        match slf.get().words() {
+        match slf.get().as_words() {
             None => numpy.call_method1("asarray", (slf,)),
             Some((words, places)) => {
                 let places = PyArray1::from_slice(slf.py(), places);
@@ -69,7 +69,7 @@ impl Column {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Bound<'py, PyAny>,)> {
-        let data = match slf.get().words() {
+        let data = match slf.get().as_words() {
             None => Self::numpy(slf)?,
             Some(words) => words.into_pyobject(slf.py())?.into_any(),
         };

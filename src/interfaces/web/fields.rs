@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::materials::{MaterialEntry, Property, all};
+use crate::materials::{MaterialEntry, Property, all_materials};
 use crate::report::pictures::title_of;
 use crate::report::text::materials::one;
 use crate::scenario::input::{Body, EITHER};
@@ -46,5 +46,5 @@ pub fn materials() -> Value {
         let values: Map<_, _> = defaults.filter_map(written).collect();
         json!({ "name": entry.name, "title": entry.title, "values": values, "page": one(entry) })
     };
-    all().iter().map(entry).collect()
+    all_materials().iter().map(entry).collect()
 }

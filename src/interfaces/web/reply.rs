@@ -92,7 +92,7 @@ fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> 
 fn table_csv(plan: &Plan) -> Result<(Vec<u8>, Tally), Error> {
     let form = Csv::new(plan);
     let mut text = (plan.column_names().join(",") + "\n").into_bytes();
-    let tally = table::rows(plan, &Counter::default(), |rows| form.lines(rows), |piece| text.extend(piece))?;
+    let tally = table::rows(plan, &Counter::default(), |rows| form.rows_as_lines(rows), |piece| text.extend(piece))?;
     Ok((text, tally))
 }
 

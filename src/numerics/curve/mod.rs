@@ -92,7 +92,7 @@ impl LoadingCurve {
 
     /// Lets the curve go on from `start` as k x^n.
     pub fn then_power(self, start: f64, stiffness: f64, exponent: f64) -> Self {
-        self.push_piece(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).shifted(start))
+        self.push_piece(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).with_shift(start))
     }
 
     /// Lets the curve go on from `start` to `end` as a formula says that is singular at `pole` < `start` and nowhere nearer:

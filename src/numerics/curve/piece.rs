@@ -49,12 +49,12 @@ impl Shape {
     }
 
     /// Returns this force on a piece that starts so much later; a branch is not cut, as it begins at first touch.
-    pub(crate) fn shifted(&self, by: f64) -> Self {
+    pub(crate) fn with_shift(&self, by: f64) -> Self {
         match self {
             Self::Power { stiffness, exponent, offset } => {
                 Self::Power { stiffness: *stiffness, exponent: *exponent, offset: offset + by }
             }
-            Self::Polynomial(poly) => Self::Polynomial(Arc::new(poly.shifted(by))),
+            Self::Polynomial(poly) => Self::Polynomial(Arc::new(poly.with_shift(by))),
             same @ (Self::Linear { .. } | Self::Unloading(_)) => same.clone(),
         }
     }

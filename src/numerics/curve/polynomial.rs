@@ -119,7 +119,7 @@ impl FittedPolynomial {
     }
 
     /// Returns this force on a stretch that starts so much later.
-    pub fn shifted(&self, by: f64) -> Self {
+    pub fn with_shift(&self, by: f64) -> Self {
         let first = self.first + by * self.scale;
         Self { first, length: self.length - by, work: work_quotient(&self.force, first), ..*self }
     }
@@ -127,7 +127,7 @@ impl FittedPolynomial {
     #[inline]
     pub fn force(&self, d: f64) -> f64 {
         let t = self.first + d * self.scale;
-        if t.abs() > 1.0 { self.extrapolated(t)[0] } else { value(&self.force, t) }
+        if t.abs() > 1.0 { self.extrapolate(t)[0] } else { value(&self.force, t) }
     }
 
     /// f and its first two derivatives.
@@ -135,7 +135,7 @@ impl FittedPolynomial {
     pub fn derivatives(&self, d: f64) -> [f64; 3] {
         let t = self.first + d * self.scale;
         if t.abs() > 1.0 {
-            return self.extrapolated(t);
+            return self.extrapolate(t);
         }
         let add = |[f, slope, half]: [f64; 3], term: &f64| [f * t + term, slope * t + f, half * t + slope];
         let [f, slope, half] = self.force.iter().rev().fold([0.0; 3], add);
@@ -144,7 +144,7 @@ impl FittedPolynomial {
 
     /// Beyond its interval, which trial steps of an integrator may reach, the polynomial continues along its tangent.
     #[cold]
-    fn extrapolated(&self, t: f64) -> [f64; 3] {
+    fn extrapolate(&self, t: f64) -> [f64; 3] {
         let end = t.clamp(-1.0, 1.0);
         let (f, slope) = value_and_slope(&self.force, end);
         [f + slope * (t - end), slope * self.scale, 0.0]
@@ -261,7 +261,7 @@ mod tests {
             let pulled = poly.turning_distance(poly.work(1.0) - d, d);
             assert_relative_eq!(pulled, 1.0, max_relative = 1e-14);
         }
-        assert_relative_eq!(poly.shifted(0.5).work(1.0), work(3.5) - work(2.5), max_relative = 2e-15);
+        assert_relative_eq!(poly.with_shift(0.5).work(1.0), work(3.5) - work(2.5), max_relative = 2e-15);
         // a motion that turns at 3, from 2.2 on, and to places before the turn
         let (turn, from) = (3.0, 2.2);
         let speed = |x: f64| (2.0 * (work(turn) - work(x))).sqrt();

@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     /// Neighbouring doubles between two positive numbers.
-    fn apart(a: f64, b: f64) -> u64 {
+    fn ulp_distance(a: f64, b: f64) -> u64 {
         a.to_bits().abs_diff(b.to_bits())
     }
 
@@ -86,10 +86,10 @@ mod tests {
             };
             let y = if case % 2 == 0 { 4.0 * random() - 2.0 } else { 1000.0 * (random() - 0.5) };
             let (own, theirs) = (pow(x, y), libm::pow(x, y));
-            assert!(apart(own, theirs) <= 1, "{x:e}^{y:e}: {own:e}, {theirs:e}");
+            assert!(ulp_distance(own, theirs) <= 1, "{x:e}^{y:e}: {own:e}, {theirs:e}");
             equal += u32::from(own == theirs);
             let z = 1400.0 * (random() - 0.5);
-            assert!(apart(exp(z), libm::exp(z)) <= 1, "e^{z}");
+            assert!(ulp_distance(exp(z), libm::exp(z)) <= 1, "e^{z}");
         }
         assert!(equal > 95_000, "{equal}");
     }

@@ -144,7 +144,7 @@ mod tests {
             for (exact, stepped) in parts(exact).into_iter().zip(parts(stepped)) {
                 assert_abs_diff_eq!(exact, stepped, epsilon = 2e-12);
             }
-            let [first, last] = [start.time, exact.time].map(|time| track[0].at(time));
+            let [first, last] = [start.time, exact.time].map(|time| track[0].state_at(time));
             assert_abs_diff_eq!(first.distance, start.distance, epsilon = 1e-15);
             assert_abs_diff_eq!(last.distance, exact.distance, epsilon = 1e-14);
         }

@@ -115,7 +115,7 @@ impl DampedStepper {
                 continue;
             }
             let mut solved: Option<ContinuousExtension> = None;
-            let solve = || next.continuous(piece, &node, h);
+            let solve = || next.dense_output(piece, &node, h);
             let mut landed = None;
             if may_contain_event::<P>(path, end, &node, &next.node) {
                 let solution = *solved.get_or_insert_with(solve);
@@ -260,7 +260,7 @@ pub(super) fn dense_output(solution: ContinuousExtension, end: f64, distance_at:
         };
         let is_near = |last: f64, next: f64| (next - last).abs() <= f64::EPSILON;
         let theta = newton_bisection((0.0, 1.0), 1.0, is_near, miss);
-        let [y, speed, _, loss] = solution.at(theta);
+        let [y, speed, _, loss] = solution.state_at(theta);
         MotionState { time, distance: distance_at(y), speed, loss }
     })
 }

@@ -47,7 +47,7 @@ impl Hermite {
     }
 
     /// P and its slope at θ.
-    fn at(&self, theta: f64) -> (f64, f64) {
+    fn value_and_slope(&self, theta: f64) -> (f64, f64) {
         let horner = |c: &[f64; N_COEFFICIENTS], x: f64| {
             c.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * x + c, slope * x + value))
         };
@@ -61,7 +61,7 @@ impl Hermite {
 /// y and u after a step of length h from a node.
 fn partial_step<F: NystromEquation>(field: F, from: &NystromState, h: f64) -> (f64, f64) {
     let square = h * h;
-    let step = nystrom::step(from.y, h * from.u, square * from.g, field.scaled(square));
+    let step = nystrom::step(from.y, h * from.u, square * from.g, field.scale_by(square));
     (step.position, if h > 0.0 { step.velocity / h } else { from.u })
 }
 
@@ -95,12 +95,12 @@ pub(super) fn dense_output<F: NystromEquation>(
             // the clock rises
             let is_near = |last: f64, next: f64| (next - last).abs() <= 1e-16;
             theta = newton_bisection((0.0, 1.0), theta, is_near, |theta| {
-                let (value, slope) = clock.at(theta);
+                let (value, slope) = clock.value_and_slope(theta);
                 (wanted - value, -slope)
             });
         }
         let (y, speed) = if F::IS_SMOOTH_AT_ZERO {
-            let (y, slope) = position.at(theta);
+            let (y, slope) = position.value_and_slope(theta);
             (y, slope / length)
         } else {
             partial_step(field, &from, theta * length)

@@ -213,7 +213,7 @@ impl ContinuousExtension {
         self.component(part, theta).0
     }
 
-    pub(super) fn at(&self, theta: f64) -> DampedState {
+    pub(super) fn state_at(&self, theta: f64) -> DampedState {
         [self.value(0, theta), self.value(1, theta), self.value(2, theta), self.value(3, theta)]
     }
 }
@@ -225,7 +225,7 @@ impl Dop853Step {
     }
 
     /// The continuous solution of this step of length h from `node`.
-    pub(super) fn continuous<P: DampedEquation>(&self, motion: P, node: &DampedState, h: f64) -> ContinuousExtension {
+    pub(super) fn dense_output<P: DampedEquation>(&self, motion: P, node: &DampedState, h: f64) -> ContinuousExtension {
         let [k1, k6, k7, k8, k9, k10, k11, k12] = &self.stages;
         let k13 = &self.rates;
         let rates = |weights: [f64; 8], stages: [&DampedState; 8]| {

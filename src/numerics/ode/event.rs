@@ -27,7 +27,7 @@ impl DenseStep<'_> {
     /// The event that ends the leg within the step; `None` if none does.
     pub fn locate_end<P: DampedEquation>(&self) -> Option<LocatedEnd> {
         let (landing, theta) = self.first_event::<P>()?;
-        let mut node = self.solution.at(theta);
+        let mut node = self.solution.state_at(theta);
         match landing {
             LegEnd::PieceEnd => node[0] = self.end,
             LegEnd::Turning => node[1] = 0.0,
@@ -88,7 +88,7 @@ impl DenseStep<'_> {
     fn scaled_contact_force<P: DampedEquation>(&self, theta: f64) -> f64 {
         let (y, u) = self.position_and_speed(theta);
         let distance = P::distance_at(y);
-        let force = self.path.restoring(distance.abs());
+        let force = self.path.restoring_acceleration(distance.abs());
         let root = self.path.sqrt_slope(distance.abs());
         let of_law = if root > 0.0 { force / root } else { 0.0 };
         of_law * if y > 0.0 { 1.0 + self.path.drag.hunt_crossley * u } else { -1.0 } + self.path.drag.viscous * u

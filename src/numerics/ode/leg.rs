@@ -82,7 +82,7 @@ impl DampingCoefficients {
     /// The drags per speed, in the contact and on the motion, where the force is `force`; its slope is asked for only if it
     /// counts.
     #[inline]
-    pub fn at(self, force: f64, slope: impl FnOnce() -> f64) -> (f64, f64) {
+    pub fn rates_at_force(self, force: f64, slope: impl FnOnce() -> f64) -> (f64, f64) {
         self.per_speed(force, if self.needs_slope() { sqrt_slope(slope()) } else { 0.0 })
     }
 
@@ -137,7 +137,7 @@ pub struct LegProblem<'a> {
 impl LegProblem<'_> {
     /// g(d), continued smoothly a little beyond both ends of the piece.
     #[inline]
-    pub(super) fn restoring(&self, distance: f64) -> f64 {
+    pub(super) fn restoring_acceleration(&self, distance: f64) -> f64 {
         self.factor * self.piece.force_at_distance(distance - self.piece.shape.zero_offset())
     }
 
@@ -164,7 +164,7 @@ impl LegProblem<'_> {
 
     /// g(d), and the drags at this speed: in the contact and on the motion.
     pub fn forces(&self, distance: f64, speed: f64) -> (f64, f64, f64) {
-        let force = self.restoring(distance);
+        let force = self.restoring_acceleration(distance);
         let root = if self.drag.needs_slope() { self.sqrt_slope(distance) } else { 0.0 };
         let (in_contact, on_motion) = self.drag.per_speed(force, root);
         (force, in_contact * speed, on_motion * speed)
@@ -255,9 +255,9 @@ mod tests {
     #[test]
     fn sqrt_slope_clamps_rounding_and_propagates_nan() {
         let both = DampingCoefficients { viscous: 0.2, plate: 3.0, ..DampingCoefficients::NONE };
-        assert_eq!(both.at(1.0, || -1e-17), (0.0, 0.0));
-        assert!(both.at(1.0, || f64::NAN).0.is_nan());
+        assert_eq!(both.rates_at_force(1.0, || -1e-17), (0.0, 0.0));
+        assert!(both.rates_at_force(1.0, || f64::NAN).0.is_nan());
         // η √g' and θ g'
-        assert_eq!(both.at(1.0, || 2.25), (0.2 * 1.5, 3.0 * 2.25));
+        assert_eq!(both.rates_at_force(1.0, || 2.25), (0.2 * 1.5, 3.0 * 2.25));
     }
 }

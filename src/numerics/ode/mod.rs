@@ -104,7 +104,7 @@ impl DenseOutput {
     }
 
     /// The state at a time of the stretch.
-    pub fn at(&self, time: f64) -> MotionState {
+    pub fn state_at(&self, time: f64) -> MotionState {
         (self.at)(time)
     }
 }

@@ -169,7 +169,7 @@ mod tests {
         impl NystromEquation for Cubic {
             const USES_PLAIN_VARIABLES: bool = true;
             const IS_SMOOTH_AT_ZERO: bool = true;
-            fn scaled(self, factor: f64) -> Self {
+            fn scale_by(self, factor: f64) -> Self {
                 Self(self.0 * factor)
             }
             fn g(self, y: f64) -> f64 {
@@ -190,7 +190,7 @@ mod tests {
             let h = 6.0 / f64::from(n);
             let (mut y, mut u) = (0.0, 1.0);
             for _ in 0..n {
-                let field = Cubic(1.0).scaled(h * h);
+                let field = Cubic(1.0).scale_by(h * h);
                 let next = step(y, h * u, field.g(y), field);
                 (y, u) = (next.position, next.velocity / h);
             }

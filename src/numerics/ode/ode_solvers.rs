@@ -92,7 +92,7 @@ fn dense_output_between(path: &LegProblem, from: &DampedState, to: &DampedState)
     let motion = DampedPieceEquation::<1>(*path);
     let h = to[2] - from[2];
     let step = dop853::step(motion, from, &motion.rates(from[0], from[1]), h, &[1.0; 3]);
-    step.with_end(*to, motion.rates(to[0], to[1])).continuous(motion, from, h)
+    step.with_end(*to, motion.rates(to[0], to[1])).dense_output(motion, from, h)
 }
 
 impl OdeSolvers {

@@ -185,7 +185,7 @@ impl LegConstants {
     #[inline(always)]
     fn step<F: NystromEquation>(&self, field: F, now: &NystromState, h: f64) -> (NystromState, f64) {
         let square = h * h;
-        let scaled = field.scaled(square);
+        let scaled = field.scale_by(square);
         let step = nystrom::step(now.y, h * now.u, square * now.g, scaled);
         let inverse = 1.0 / h;
         let node = NystromState {

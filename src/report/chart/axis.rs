@@ -55,7 +55,7 @@ impl Axis {
 
     /// An axis of the places 1 to `count`.
     #[allow(clippy::cast_precision_loss)] // a handful
-    pub fn numbered(title: &str, count: usize) -> Self {
+    pub fn ordinal(title: &str, count: usize) -> Self {
         Self { scale: AxisScale::Count, ..Self::linear(title, "").with_range(0.0, count as f64 + 1.0) }
     }
 

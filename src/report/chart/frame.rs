@@ -81,7 +81,7 @@ impl PanelFrame {
         if text_width(&self.x.title, AXIS_SIZE) <= room {
             return pen.draw_text(&self.x.title, (middle, bottom + X_TITLE), AXIS_SIZE, FOREGROUND, Anchor::Middle);
         }
-        let (first, second) = halves(&self.x.title);
+        let (first, second) = split_title(&self.x.title);
         let longest = if text_width(first, AXIS_SIZE) > text_width(second, AXIS_SIZE) { first } else { second };
         let size = fitting_size(longest, SMALL_TITLE, room);
         for (line, at) in [(first, X_TITLE - 0.5 * SMALL_TITLE), (second, X_TITLE + 0.65 * SMALL_TITLE)] {
@@ -196,7 +196,7 @@ fn down_to_edge(values: &[(f64, f64)], low: f64, from: f64) -> Vec<(f64, f64)> {
 }
 
 /// A title in two lines: it is divided at the space nearest to its middle.
-fn halves(title: &str) -> (&str, &str) {
+fn split_title(title: &str) -> (&str, &str) {
     let middle = title.len() / 2;
     let spaces = title.match_indices(' ').map(|(at, _)| at);
     match spaces.min_by_key(|at| at.abs_diff(middle)) {

@@ -124,11 +124,11 @@ impl Panel {
 impl Chart {
     /// A picture of one box.
     pub fn new(title: impl Into<String>, [x, y]: [Axis; 2], series: Vec<Series>) -> Self {
-        Self::stacked(title, x, vec![Panel::new(y, series)])
+        Self::with_panels(title, x, vec![Panel::new(y, series)])
     }
 
     /// A picture of several boxes one above the other.
-    pub fn stacked(title: impl Into<String>, x: Axis, panels: Vec<Panel>) -> Self {
+    pub fn with_panels(title: impl Into<String>, x: Axis, panels: Vec<Panel>) -> Self {
         let (title, caption) = (title.into(), String::new());
         Self { title, caption, x, panels, side: None, legend_entries: Vec::new(), color_axis: None }
     }
@@ -166,7 +166,7 @@ impl Chart {
     /// of solid lines, the second of dashed ones ([`Style::branch`]).
     pub fn with_branches(self, names: &[&str]) -> Self {
         let entry = |(which, name): (usize, &&str)| {
-            Series::line(*name, Vec::new()).with_style(Style::line(GREY, 3.0).branch(which))
+            Series::line(*name, Vec::new()).with_style(Style::line(GREY, 3.0).with_line_of_branch(which))
         };
         self.with_legend_entries(names.iter().enumerate().map(entry))
     }

@@ -92,7 +92,7 @@ impl Series {
     /// A guide: a line that is not data, and does not extend the axes. It has an entry in the key if it crosses the box;
     /// guides with the same texts have one entry.
     fn guide(look: SeriesKind, label: impl Into<String>, dash: Dash) -> Self {
-        Self::new(label, Vec::new(), look).with_style(Style::line(GREY, 2.0).dashed(dash))
+        Self::new(label, Vec::new(), look).with_style(Style::line(GREY, 2.0).with_dash(dash))
     }
 
     /// A vertical guide at this value of the horizontal axis.

@@ -99,16 +99,16 @@ impl Style {
     }
 
     /// Returns the style with a solid line.
-    pub fn solid(self) -> Self {
-        self.dashed(SOLID)
+    pub fn with_solid_line(self) -> Self {
+        self.with_dash(SOLID)
     }
 
     /// Returns the style with a solid line for 0 and a dashed one for 1.
-    pub fn branch(self, which: usize) -> Self {
-        self.dashed(if which == 0 { SOLID } else { DASHED })
+    pub fn with_line_of_branch(self, which: usize) -> Self {
+        self.with_dash(if which == 0 { SOLID } else { DASHED })
     }
 
-    pub(in crate::report) fn dashed(self, dash: Dash) -> Self {
+    pub(in crate::report) fn with_dash(self, dash: Dash) -> Self {
         Self { dash, ..self }
     }
 

@@ -24,7 +24,7 @@ const BAR_ENDS: f64 = 14.0;
 /// If the largest value is more than this multiple of the smallest, the axis is logarithmic.
 const LOG_AXIS_RATIO: f64 = 5.0;
 
-type Points = Vec<(f64, f64)>;
+type DataPoints = Vec<(f64, f64)>;
 
 /// The pictures with their names.
 pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
@@ -72,7 +72,7 @@ impl Abscissa {
         }
     }
 
-    fn at(&self, calibration: &Calibration, value: usize) -> f64 {
+    fn coordinate(&self, calibration: &Calibration, value: usize) -> f64 {
         let row = &calibration.fit.problem.data.rows[calibration.fit.problem.data.values[value].row];
         match self {
             Self::Key(key) => key.quantity.picture_unit().1(row.keys[0]),
@@ -108,7 +108,7 @@ struct FittedQuantity<'a> {
     quantity: MeasuredQuantity,
     abscissa: Abscissa,
     sampled: Vec<usize>,
-    points: Points,
+    points: DataPoints,
     axes: [Axis; 2],
 }
 
@@ -116,12 +116,12 @@ impl<'a> FittedQuantity<'a> {
     fn new(calibration: &'a Calibration, quantity: MeasuredQuantity) -> Self {
         let data = calibration.fit.problem.data;
         let (abscissa, sampled) = (Abscissa::new(data), sampled_indices(calibration, quantity));
-        let points: Points =
-            sampled.iter().map(|value| (abscissa.at(calibration, *value), data.values[*value].value)).collect();
+        let points: DataPoints =
+            sampled.iter().map(|value| (abscissa.coordinate(calibration, *value), data.values[*value].value)).collect();
         let [x, y] = [abscissa.axis(quantity, &points), quantity_axis(quantity, "")];
         // small values stay visible where both quantities go over decades
         let is_logarithmic =
-            x.scale == AxisScale::Log && needs_log_axis(&points.iter().map(|(x, y)| (*y, *x)).collect::<Points>());
+            x.scale == AxisScale::Log && needs_log_axis(&points.iter().map(|(x, y)| (*y, *x)).collect::<DataPoints>());
         let axes = with_one_prefix([x, if is_logarithmic { y.logarithmic() } else { y }], &points);
         Self { calibration, quantity, abscissa, sampled, points, axes }
     }
@@ -188,7 +188,7 @@ impl<'a> FittedQuantity<'a> {
     }
 
     /// The predictions of a law with its best keys.
-    fn fit_line(&self, fit: &Fit) -> Points {
+    fn fit_line(&self, fit: &Fit) -> DataPoints {
         let shares = &fit.best().shares;
         let along = match self.abscissa {
             Abscissa::Key(key) => Some(self.impacts_along(key)),
@@ -208,7 +208,7 @@ impl<'a> FittedQuantity<'a> {
     }
 
     /// The outline of the 95 % band around the fitted line over a key, which is linear in the keys.
-    fn confidence_band(&self) -> Option<Points> {
+    fn confidence_band(&self) -> Option<DataPoints> {
         let Abscissa::Key(key) = self.abscissa else { return None };
         let (data, at) = self.impacts_along(key);
         let fit = &self.calibration.fit;
@@ -218,7 +218,7 @@ impl<'a> FittedQuantity<'a> {
         let reach = half_width(LEVELS[1], fit.degrees_of_freedom());
         let half = |i: usize| reach * (matrix.row(i) * covariance).dot(&matrix.row(i)).max(0.0).sqrt();
         let edge = |side: f64| at.iter().zip(&predicted).enumerate().map(move |(i, (x, y))| (*x, y + side * half(i)));
-        let upper: Points = edge(1.0).collect();
+        let upper: DataPoints = edge(1.0).collect();
         Some(edge(-1.0).chain(upper.into_iter().rev()).collect())
     }
 
@@ -275,7 +275,8 @@ fn residual_chart(calibration: &Calibration) -> Chart {
     // predictions of several quantities have no common axis
     let abscissa =
         Some(Abscissa::new(data)).filter(|abscissa| !matches!(abscissa, Abscissa::Prediction) || measured.len() == 1);
-    let at = |value: usize| abscissa.as_ref().map_or(value as f64 + 1.0, |abscissa| abscissa.at(calibration, value));
+    let at =
+        |value: usize| abscissa.as_ref().map_or(value as f64 + 1.0, |abscissa| abscissa.coordinate(calibration, value));
     let points = |quantity: MeasuredQuantity| {
         sampled_indices(calibration, quantity)
             .into_iter()
@@ -284,7 +285,7 @@ fn residual_chart(calibration: &Calibration) -> Chart {
     };
     let series: Vec<Series> =
         measured.iter().map(|quantity| Series::points(path_title(quantity.name()), points(*quantity))).collect();
-    let all: Points = series.iter().flat_map(|one| one.points.clone()).collect();
+    let all: DataPoints = series.iter().flat_map(|one| one.points.clone()).collect();
     let x = abscissa.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |x| x.axis(measured[0], &all));
     let level = half_width(LEVELS[1], None);
     let guides = [(0.0, "law"), (level, "± 1.96"), (-level, "± 1.96")];

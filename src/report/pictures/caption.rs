@@ -7,7 +7,7 @@ use crate::impact::Damping;
 use crate::report::chart::{Axis, Chart};
 use crate::scenario::input::{Body, Input, NumericKey};
 use crate::scenario::kinds::indentation::IndentationRequest;
-use crate::strings::capital;
+use crate::strings::capitalise;
 use crate::units::{Dimension, format_four_digits, format_result};
 
 /// The bodies and the law of a scene, without the keys that vary in the picture.
@@ -128,14 +128,14 @@ pub(crate) fn path_words(path: &str) -> String {
 pub(crate) fn law_title(name: &str) -> String {
     let title = |law: &str| match law.trim() {
         "plm" => "PLM".to_owned(),
-        law => law.split('_').map(capital).collect::<Vec<_>>().join("–"),
+        law => law.split('_').map(capitalise).collect::<Vec<_>>().join("–"),
     };
     name.split('+').map(title).collect::<Vec<_>>().join(" + ")
 }
 
 /// The path of a key, or the name of a result, as a title, such as "Half-space Young's modulus".
 pub fn path_title(path: &str) -> String {
-    capital(&path_words(path))
+    capitalise(&path_words(path))
 }
 
 /// The axis of a key. Its values are those of [`crate::scenario::key_specs::Quantity::picture_unit`].

@@ -23,7 +23,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
         let of_law = trace.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
         // the other curves include the damping
         let name = Series::line("force of the law", of_law.collect()).with_note("without damping, against δ");
-        series.push(name.with_style(Style::line(FOREGROUND, 2.5).dashed(DOTTED)));
+        series.push(name.with_style(Style::line(FOREGROUND, 2.5).with_dash(DOTTED)));
     }
     let at = |event| trace.iter().filter(move |row| row.event == Some(event)).map(|row| (row.indentation, row.force));
     let points: Vec<_> = at(Event::Yield).collect();

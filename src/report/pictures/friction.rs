@@ -15,7 +15,7 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
         let points: Vec<(f64, f64)> = rows.iter().map(|(time, row)| (*time, value(row))).collect();
         let (low, high) = min_max(points.iter().map(|at| at.1).chain([0.0]));
         let margin = 0.08 * (high - low);
-        let mut series = Series::line(name, points).with_style(Style::new(number).solid());
+        let mut series = Series::line(name, points).with_style(Style::new(number).with_solid_line());
         series.legend_texts.extend(note);
         let mut panel = Panel::new(Axis::linear(name, unit).with_range(low - margin, high + margin), vec![series]);
         panel.guides.push(Series::horizontal(0.0, "").with_style(Style::line(FOREGROUND, 1.5)));
@@ -29,5 +29,5 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
     ];
     let x = Axis::linear("Time", "s").with_range(0.0, 1.03 * impact.duration());
     let peak = Series::vertical(impact.loading_time, "deepest point").with_style(Style::line(GREY, 2.0));
-    Some(Chart::stacked(title(impact), x, panels).with_guides([peak]))
+    Some(Chart::with_panels(title(impact), x, panels).with_guides([peak]))
 }

@@ -38,7 +38,7 @@ pub fn history(impact: &Impact) -> Result<Chart, Error> {
     ];
     panels[2].guides.push(Series::horizontal(0.0, "").with_style(Style::line(FOREGROUND, 1.5)));
     let x = Axis::linear("Time", "s").with_range(0.0, 1.03 * impact.duration());
-    Ok(Chart::stacked(title(impact), x, panels).with_guides(event_guides(impact)))
+    Ok(Chart::with_panels(title(impact), x, panels).with_guides(event_guides(impact)))
 }
 
 /// Vertical lines at the peak and at the end.
@@ -71,5 +71,5 @@ fn event_guides(impact: &Impact) -> Vec<Series> {
     }
     // a sphere that comes to rest at its deepest point has one line there
     let is_apart = impact.duration() - impact.loading_time > 1e-3 * impact.duration();
-    [peak.with_style(line.dashed(DASHED))].into_iter().filter(|_| is_apart).chain([end]).collect()
+    [peak.with_style(line.with_dash(DASHED))].into_iter().filter(|_| is_apart).chain([end]).collect()
 }

@@ -32,7 +32,7 @@ pub fn loop_series(name: impl Into<String>, style: Style, branches: &LoopBranche
             without_zero_force(rows.iter().map(|(indentations, force)| (indentations[which], *force)).collect());
         match first.take() {
             Some(first) => Series { points, ..first },
-            None => Series::line("", points).with_style(style.branch(usize::from(!loads))),
+            None => Series::line("", points).with_style(style.with_line_of_branch(usize::from(!loads))),
         }
     });
     series.collect()
@@ -89,5 +89,5 @@ fn max_indentation(series: &[Series]) -> f64 {
 
 /// The style of the loop with this number. Loops may lie on each other, so each is narrower than the one before.
 pub fn loop_style(number: usize, width: f64) -> Style {
-    Style::new(number).solid().with_width(width)
+    Style::new(number).with_solid_line().with_width(width)
 }

@@ -17,7 +17,7 @@ pub fn posterior_chart(calibration: &Calibration, [first, second]: [&KeyEstimate
                 .collect();
             series.push(Series::band("", region.clone()).with_style(5));
             let name = if i == 0 { name } else { "" };
-            series.push(Series::line(name, region).with_style(Style::new(1).dashed(dash)));
+            series.push(Series::line(name, region).with_style(Style::new(1).with_dash(dash)));
         }
     }
     let axis = |found: &KeyEstimate, (low, high): (f64, f64)| -> Axis {

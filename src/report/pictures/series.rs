@@ -8,7 +8,7 @@ use crate::impact::flight::trajectory::Flight;
 use crate::impact::series::{ImpactSeries, SeriesImpact, SeriesResult, SpotMode};
 use crate::numerics::functions::pow;
 use crate::report::chart::{Axis, Chart, GREY, Panel, Series, Style};
-use crate::strings::capital;
+use crate::strings::capitalise;
 use crate::units::{Dimension, format_four_digits, format_result};
 
 const FLIGHT_POINTS: u32 = 48;
@@ -77,7 +77,7 @@ fn title(repeat: &ImpactSeries, sequence: &SeriesResult) -> String {
 pub fn impacts_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Chart {
     let panel = |y: Axis, highest: f64, name: &str, style: usize, value: fn(&SeriesImpact) -> f64| {
         let points = sequence.impacts.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit)));
-        let series = Series::marked_line(name, points.collect()).with_style(Style::new(style).solid());
+        let series = Series::marked_line(name, points.collect()).with_style(Style::new(style).with_solid_line());
         Panel::new(y.with_range(0.0, highest), vec![series])
     };
     let last = sequence.impacts.len() as f64;
@@ -92,7 +92,7 @@ pub fn impacts_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Chart {
     ];
     let deepest = sequence.deepest_dent();
     if deepest > 0.0 {
-        let mark = capital(sequence.imprint_name());
+        let mark = capitalise(sequence.imprint_name());
         let y = Axis::linear(&format!("{mark} depth"), "m");
         panels.push(panel(y, 1.15 * deepest, &format!("{mark} δᵣ"), 1, |hit| hit.residual_indentation));
     }
@@ -101,7 +101,7 @@ pub fn impacts_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Chart {
     } else {
         Axis::linear("Impact", "").with_range(0.0, last + 1.0)
     };
-    Chart::stacked(title(repeat, sequence), x, panels)
+    Chart::with_panels(title(repeat, sequence), x, panels)
 }
 
 /// Largest number of loops with a colour and an entry in the key. The other loops are grey.

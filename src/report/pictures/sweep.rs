@@ -10,8 +10,8 @@ use crate::reference::quasi_static;
 use crate::report::chart::{Chart, Panel, Series, SeriesKind, heatmap, histogram};
 use crate::report::chart::{Style, min_max};
 use crate::results::{ResultColumn, dimension_of, result_columns};
-use crate::scenario::plan::{Axis, AxisSetting, AxisWord, Cases, Plan, RESTITUTION};
-use crate::strings::capital;
+use crate::scenario::plan::{AxisSetting, AxisWord, Cases, Plan, RESTITUTION, SweepAxis};
+use crate::strings::capitalise;
 use crate::table::statistics::RunningStatistics;
 use crate::table::{Evaluator, RowFailure, Rows, Tally};
 use crate::units::{format_four_digits, format_result, quantities};
@@ -50,7 +50,7 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
         });
         return drawn.collect();
     };
-    let is_drawable = |axis: &Axis| matches!(axis.setting, AxisSetting::Number { .. }) && axis.len() > 1;
+    let is_drawable = |axis: &SweepAxis| matches!(axis.setting, AxisSetting::Number { .. }) && axis.len() > 1;
     if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && plan.pictures.is_none() {
         return vec![("rebound".to_owned(), rebound_chart(plan, axes))];
     }
@@ -69,13 +69,13 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
 }
 
 /// At most `most` of the places of an axis, at even steps, including both ends.
-fn spaced_indices(axis: &Axis, most: u64) -> Vec<u64> {
+fn spaced_indices(axis: &SweepAxis, most: u64) -> Vec<u64> {
     let (last, count) = (axis.len() - 1, axis.len().min(most));
     #[allow(clippy::cast_possible_truncation)] // at most `last`
     (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
 }
 
-fn compute_row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<ImpactRow, RowFailure>> {
+fn compute_row(evaluator: &Evaluator, axes: &[SweepAxis], places: &[u64]) -> Option<Result<ImpactRow, RowFailure>> {
     let case = axes
         .iter()
         .zip(places.iter().copied().chain(std::iter::repeat(0)))
@@ -86,7 +86,7 @@ fn compute_row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<R
 }
 
 /// Rebound angle and spin against the angle of impact, curves by the second axis.
-fn rebound_chart(plan: &Plan, axes: &[Axis]) -> Chart {
+fn rebound_chart(plan: &Plan, axes: &[SweepAxis]) -> Chart {
     let evaluator = Evaluator::new(plan);
     let at = spaced_indices(&axes[0], MAX_POINTS);
     let curves = axes.get(1).map_or_else(|| vec![0], |second| curve_places(second, MAX_CURVES));
@@ -106,17 +106,17 @@ fn rebound_chart(plan: &Plan, axes: &[Axis]) -> Chart {
         Panel::new(chart::Axis::linear("Spin afterwards", "rad/s"), spins),
     ];
     let by = axes.get(1).map_or_else(String::new, |second| format!(" by {}", axis_words(second)));
-    Chart::stacked(format!("Oblique rebound{by}"), plot_axis(&axes[0]), panels.into())
+    Chart::with_panels(format!("Oblique rebound{by}"), plot_axis(&axes[0]), panels.into())
         .with_notes(axes.get(1).and_then(|second| note_of_others(second, curves.len())))
         .with_notes(fixed_axis_notes(axes))
 }
 
 /// The name of an axis in words, such as "half-space yield strength".
-fn axis_words(axis: &Axis) -> String {
+fn axis_words(axis: &SweepAxis) -> String {
     path_words(axis.path())
 }
 
-fn plot_axis(axis: &Axis) -> chart::Axis {
+fn plot_axis(axis: &SweepAxis) -> chart::Axis {
     match &axis.setting {
         AxisSetting::Number { key, .. } => key_axis(key, axis.is_logarithmic),
         AxisSetting::Words { path, .. } => chart::Axis::linear(&path_title(path), ""),
@@ -124,7 +124,7 @@ fn plot_axis(axis: &Axis) -> chart::Axis {
 }
 
 /// The values at these places of an axis, with at most four digits and in one unit, as the key has them.
-fn labels(axis: &Axis, places: &[u64]) -> Vec<String> {
+fn labels(axis: &SweepAxis, places: &[u64]) -> Vec<String> {
     let texts = |text: &dyn Fn(u64) -> String| places.iter().map(|place| text(*place)).collect();
     match &axis.setting {
         AxisSetting::Number { key, .. } => {
@@ -137,20 +137,22 @@ fn labels(axis: &Axis, places: &[u64]) -> Vec<String> {
                 _ => quantities(&places.iter().map(|place| axis.value_at(*place)).collect::<Vec<_>>(), dimension),
             }
         }
-        AxisSetting::Words { .. } => texts(&|place| match axis.words().get(usize::try_from(place).unwrap_or(0)) {
-            Some(AxisWord::Law(law)) => law_title(&law.name()),
-            _ => axis.label(place),
-        }),
+        AxisSetting::Words { .. } => {
+            texts(&|place| match axis.word_values().get(usize::try_from(place).unwrap_or(0)) {
+                Some(AxisWord::Law(law)) => law_title(&law.name()),
+                _ => axis.label(place),
+            })
+        }
     }
 }
 
 /// The value at a place of an axis, with at most four digits.
-fn value_label(axis: &Axis, place: u64) -> String {
+fn value_label(axis: &SweepAxis, place: u64) -> String {
     labels(axis, &[place]).concat()
 }
 
 /// The value at a place of an axis, in the unit of the picture.
-fn axis_position(axis: &Axis, place: u64) -> f64 {
+fn axis_position(axis: &SweepAxis, place: u64) -> f64 {
     match &axis.setting {
         AxisSetting::Number { key, .. } => key.quantity.picture_unit().1(axis.value_at(place)),
         AxisSetting::Words { .. } => axis.value_at(place),
@@ -159,9 +161,9 @@ fn axis_position(axis: &Axis, place: u64) -> f64 {
 
 /// The places of the curves of an axis: all of them, or at most `most` at even steps, from the first to the last where a
 /// step fits.
-fn curve_places(axis: &Axis, most: u64) -> Vec<u64> {
+fn curve_places(axis: &SweepAxis, most: u64) -> Vec<u64> {
     let last = axis.len() - 1;
-    if last < most || !axis.words().is_empty() {
+    if last < most || !axis.word_values().is_empty() {
         return spaced_indices(axis, most);
     }
     let least = last.div_ceil(most - 1);
@@ -171,7 +173,7 @@ fn curve_places(axis: &Axis, most: u64) -> Vec<u64> {
 }
 
 /// A note that not all values of an axis have a curve or a column.
-fn note_of_others(axis: &Axis, shown: usize) -> Option<String> {
+fn note_of_others(axis: &SweepAxis, shown: usize) -> Option<String> {
     let is_some = (shown as u64) < axis.len();
     is_some.then(|| format!("{shown} of {} values are shown", axis.len()))
 }
@@ -186,7 +188,7 @@ fn marked_curve(name: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
 struct ResultChart<'a> {
     plan: &'a Plan,
     evaluator: &'a Evaluator<'a>,
-    axes: &'a [Axis],
+    axes: &'a [SweepAxis],
     /// The place of the axis along which curves run: 0 or 1.
     along: Option<usize>,
     result: ResultColumn,
@@ -213,11 +215,11 @@ impl ResultChart<'_> {
         let first = &axes[along];
         let other = if along == 0 { axes.get(1) } else { axes.first() };
         let at = spaced_indices(first, MAX_POINTS);
-        let most = |axis: &Axis| if axis.words().is_empty() { MAX_CURVES } else { MAX_WORD_CURVES };
+        let most = |axis: &SweepAxis| if axis.word_values().is_empty() { MAX_CURVES } else { MAX_WORD_CURVES };
         let curves = other.map_or_else(|| vec![0], |other| curve_places(other, most(other)));
         let names = other.map_or_else(|| vec![String::new()], |other| labels(other, &curves));
         // all laws yield at about the same speed, so one guide is enough
-        let is_by_law = other.is_some_and(|other| matches!(other.words(), [AxisWord::Law(_), ..]));
+        let is_by_law = other.is_some_and(|other| matches!(other.word_values(), [AxisWord::Law(_), ..]));
         let is_by_speed = first.path() == "impact.speed";
         let (mut series, mut yielding) = (Vec::new(), Vec::new());
         for (number, curve) in curves.iter().enumerate() {
@@ -278,7 +280,7 @@ impl ResultChart<'_> {
             Series::column(name, sides, value).with_note(text).with_style(number)
         };
         let series: Vec<Series> = places.iter().enumerate().map(column).collect();
-        let x = chart::Axis::numbered(&capital(&axis_words(&self.axes[0])), series.len());
+        let x = chart::Axis::ordinal(&capitalise(&axis_words(&self.axes[0])), series.len());
         let y = self.with_data_range(y.clone(), &series);
         Chart::new(format!("{name} by {}", axis_words(&self.axes[0])), [x, y], series)
             .with_notes(note_of_others(&self.axes[0], places.len()))
@@ -291,7 +293,7 @@ impl ResultChart<'_> {
         let (columns, rows) = (spaced_indices(&axes[0], MAX_CELLS), spaced_indices(&axes[1], MAX_CELLS));
         let (name, color) = self.axis();
         let title = std::iter::once(name).chain(fixed_axis_notes(axes)).collect::<Vec<_>>().join(", ");
-        let on = |axis: &Axis, places: &[u64]| -> Vec<f64> {
+        let on = |axis: &SweepAxis, places: &[u64]| -> Vec<f64> {
             places.iter().map(|place| axis_position(axis, *place)).collect()
         };
         let places = [on(&axes[0], &columns), on(&axes[1], &rows)];
@@ -331,12 +333,12 @@ fn finite_element_points(plan: &Plan, curves: &[Series]) -> Option<Series> {
 }
 
 /// Notes on the axes after the second one, which stay at their first value.
-fn fixed_axis_notes(axes: &[Axis]) -> Vec<String> {
+fn fixed_axis_notes(axes: &[SweepAxis]) -> Vec<String> {
     axes.iter().skip(2).map(|axis| format!("{} = {}", axis_words(axis), value_label(axis, 0))).collect()
 }
 
 /// The yield speed v_Y at a place of an axis; `None` where the strength depends on the speed.
-fn yield_speed(plan: &Plan, axis: Option<&Axis>, place: u64) -> Option<f64> {
+fn yield_speed(plan: &Plan, axis: Option<&SweepAxis>, place: u64) -> Option<f64> {
     let mut input = plan.input.clone();
     if let Some(axis) = axis {
         axis.apply(place, &mut input);

@@ -13,7 +13,7 @@ use crate::files::{OutputFile, PROGRAM, Progress};
 use crate::materials::Property;
 use crate::report::pictures::calibrate::pictures;
 use crate::report::text::calibrate as report;
-use crate::report::text::notes;
+use crate::report::text::notes_text;
 use crate::report::text::overview::calibration_overview;
 use crate::scenario::Scenario;
 use crate::scenario::document::edit::set;
@@ -26,7 +26,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let measured = CalibrationTask::new(scenario)?;
     let unwatched = Progress::default();
     let found = measured.calibrate(options.map_or(&unwatched, |options| options.progress))?;
-    let contradiction = found.verdict().contradiction();
+    let contradiction = found.verdict().contradiction_reason();
     let Some(options) = options else {
         let mut checked = report::summary_fields(&measured, &found);
         checked.insert("inputs".to_owned(), report::inputs(&measured, &found).to_json().into());
@@ -35,7 +35,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     };
     let files = result_files(scenario, &measured, &found, options)?;
     let known = calibration_notes(&found);
-    let text = report::terminal_table(&found) + &notes(&known);
+    let text = report::terminal_table(&found) + &notes_text(&known);
     Ok(Outcome { contradiction, notes: known, ..Outcome::from_run(warnings(&found), text, files) })
 }
 
@@ -77,28 +77,28 @@ fn warnings(found: &Calibration) -> Vec<String> {
     };
     // what is left of measurements that the law itself made is rounding, with any signs
     let runs = found.runs.filter(|_| found.misfit > MIN_SCATTER);
-    let runs = runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction().is_none()).map(|runs| {
+    let runs = runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction_reason().is_none()).map(|runs| {
         let p = format_four_digits(runs.p);
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
     let unlikely = found.keys.iter().filter_map(|key| material_doubt(key, &found.fit.problem.input));
-    let cautions = found.range_warnings().into_iter().map(|(warning, line)| {
+    let range_warnings = found.range_warnings().into_iter().map(|(warning, line)| {
         let place = line.map_or_else(String::new, |line| format!("at line {line} of the data: "));
         format!("{place}{warning}")
     });
     let refusal = found.reason_without_intervals.iter().map(|reason| format!("no interval: {reason}"));
     refusal
-        .chain(found.verdict().undecided())
+        .chain(found.verdict().undecided_reason())
         .chain(runs)
         .chain(found.keys.iter().filter_map(unbounded))
         .chain(unlikely)
-        .chain(cautions)
+        .chain(range_warnings)
         .collect()
 }
 
 /// Doubts a strength or a hardness that is far from that of the material that the body names.
 fn material_doubt(key: &KeyEstimate, input: &Input) -> Option<String> {
-    let choice = input.materials().iter().find(|choice| key.free.key.path.starts_with(choice.body.table()))?;
+    let choice = input.materials().iter().find(|choice| key.free.key.path.starts_with(choice.body.table_name()))?;
     let hardness = choice.material.get(Property::Hardness)?.value.value;
     let usual = match key.free.key.path {
         path if path == choice.body.hardness() => hardness,
@@ -122,7 +122,7 @@ fn material_doubt(key: &KeyEstimate, input: &Input) -> Option<String> {
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
 /// line says which keys are new.
 fn calibrated_scenario(scenario: &Scenario, measured: &CalibrationTask, found: &Calibration) -> Result<String, Error> {
-    let document = scenario.document.edited().parse::<DocumentMut>();
+    let document = scenario.document.edited_text().parse::<DocumentMut>();
     let mut document = document.map_err(|error| Error::caused_by(ErrorKind::Input, &error))?;
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
@@ -131,7 +131,7 @@ fn calibrated_scenario(scenario: &Scenario, measured: &CalibrationTask, found: &
         // a strength that impacts give is that of impacts; one of a slow indentation is not
         let bodies = Body::ALL.into_iter().filter(|_| !measured.data.is_curve());
         for body in bodies.filter(|body| [body.yield_strength(), body.hardness()].contains(&path)) {
-            set(&mut document, &format!("{}.strength_kind", body.table()), Value::from(StrengthKind::Flow.name()));
+            set(&mut document, &format!("{}.strength_kind", body.table_name()), Value::from(StrengthKind::Flow.name()));
         }
     }
     for (key, path) in scenario.files().filter(|(key, _)| !key.starts_with("calibrate.")) {

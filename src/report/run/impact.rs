@@ -9,7 +9,7 @@ use crate::report::pictures::{caption, with_captions};
 use crate::report::text::check::contact_fields;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
-use crate::report::text::{table, trace_csv};
+use crate::report::text::{impact_text, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::to_fields;
 use crate::scenario::Scenario;
@@ -72,6 +72,6 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let single =
         SingleImpact { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };
     let files = with_summary(files, provenance, to_fields(&impact_results(), &single), &Inputs::new(&input))?;
-    let text = table(&single, options.detail);
+    let text = impact_text(&single, options.detail);
     Ok(Outcome { notes, ..Outcome::from_run(warning_texts(&impact.warnings), text, files) })
 }

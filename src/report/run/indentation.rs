@@ -10,7 +10,7 @@ use crate::impact::{elastic_material_warning, half_space_warnings, sphere_warnin
 use crate::report::pictures;
 use crate::report::pictures::caption::indentation_caption;
 use crate::report::text::indentation as report;
-use crate::report::text::notes as report_notes;
+use crate::report::text::notes_text;
 use crate::scenario::Scenario;
 use crate::scenario::input::Body;
 use crate::scenario::kinds::indentation::IndentationRequest;
@@ -49,7 +49,7 @@ pub fn compute(
 pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, options.map(|_| scenario.input().samples()))?;
     let inputs = report::inputs(scenario, &scene);
-    let notes = report::notes(scenario, &tested);
+    let notes = report::material_notes(scenario, &tested);
     let Some(options) = options else {
         let text = report::overview(scenario, &scene, &tested, &notes);
         return Ok(Outcome { notes, ..Outcome::from_check(warnings, text, report::check_fields(&tested, &inputs)) });
@@ -64,7 +64,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let mut results = report::summary_fields(&tested, &warnings);
     put_notes(&mut results, &notes);
     let files = with_summary(files, provenance, results, &inputs)?;
-    let text = report::terminal_table(&tested) + &report_notes(&notes);
+    let text = report::terminal_table(&tested) + &notes_text(&notes);
     Ok(Outcome { notes, ..Outcome::from_run(warnings, text, files) })
 }
 

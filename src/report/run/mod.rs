@@ -77,11 +77,11 @@ pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
 /// [`Error`] as of [`bare_contact`], and where a strength depends on a speed that the scenario does not give.
 pub fn contact_at_scenario_speed(scenario: &Scenario) -> Result<Contact, Error> {
     let (input, contact) = bare_contact(scenario)?;
-    at_scenario_speed(scenario, &input, &contact).map(|own| own.unwrap_or(contact))
+    rate_dependent_contact(scenario, &input, &contact).map(|own| own.unwrap_or(contact))
 }
 
 /// The contact with the strength of the speed of the scenario; `None` where it does not depend on a speed.
-pub fn at_scenario_speed(scenario: &Scenario, input: &Input, contact: &Contact) -> Result<Option<Contact>, Error> {
+pub fn rate_dependent_contact(scenario: &Scenario, input: &Input, contact: &Contact) -> Result<Option<Contact>, Error> {
     if !contact.has_rate() {
         return Ok(None);
     }

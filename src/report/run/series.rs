@@ -10,7 +10,7 @@ use crate::report::pictures;
 use crate::report::pictures::{caption, with_captions};
 use crate::report::text::check::contact_fields;
 use crate::report::text::inputs::Inputs;
-use crate::report::text::notes as report_notes;
+use crate::report::text::notes_text;
 use crate::report::text::overview::overview;
 use crate::report::text::series as report;
 use crate::results::series::SeriesReport;
@@ -63,6 +63,6 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let mut results = report::summary_fields(&series);
     put_notes(&mut results, &notes);
     let files = with_summary(files, provenance, results, &Inputs::new(&input))?;
-    let text = report::terminal_table(&series, options.detail) + &report_notes(&notes);
+    let text = report::terminal_table(&series, options.detail) + &notes_text(&notes);
     Ok(Outcome { notes, ..Outcome::from_run(warnings, text, files) })
 }

@@ -8,7 +8,7 @@ use crate::report::chart::PictureFormat;
 use crate::report::pictures::sweep::pictures;
 use crate::report::text::check::plan_fields;
 use crate::report::text::inputs::Inputs;
-use crate::report::text::notes as report_notes;
+use crate::report::text::notes_text;
 use crate::report::text::overview::overview;
 use crate::report::text::plan::plan_lines;
 use crate::report::text::sweep::{summary_fields, summary_lines};
@@ -22,7 +22,7 @@ use crate::table::{Evaluator, Rows, Tally, classify};
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
     let contact = plan.input.contact().map_err(|error| no_result_error(scenario, &error))?;
-    let Cautions { warnings, notes } = cautions(&plan, Some(&contact));
+    let TableWarnings { warnings, notes } = table_warnings(&plan, Some(&contact));
     let text = plan_lines(&plan) + &overview(&plan.input, &contact, &notes);
     Ok(Outcome { notes, ..Outcome::from_check(warnings, text, plan_fields(&plan, &contact)) })
 }
@@ -71,48 +71,51 @@ pub fn summarise(
     options: &RunOptions,
     table: Option<OutputFile>,
 ) -> Result<Outcome, Error> {
-    let cautions = cautions(plan, None);
+    let warnings_and_notes = table_warnings(plan, None);
     let names = table.iter().map(|file| file.name.clone()).collect();
     let provenance = Provenance { files: names, ..scenario.provenance(options.command) };
-    let mut files = files(plan, tally, &cautions, provenance, options.pictures)?;
+    let mut files = files(plan, tally, &warnings_and_notes, provenance, options.pictures)?;
     files.extend(table);
-    let text = text(plan, tally, &cautions);
-    let Cautions { warnings, notes } = cautions;
+    let text = table_text(plan, tally, &warnings_and_notes);
+    let TableWarnings { warnings, notes } = warnings_and_notes;
     Ok(Outcome { notes, ..Outcome::from_run(warnings, text, files) })
 }
 
 /// The text of a finished table, with the notes.
-pub fn text(plan: &Plan, tally: &Tally, cautions: &Cautions) -> String {
-    summary_lines(plan, tally) + &report_notes(&cautions.notes)
+pub fn table_text(plan: &Plan, tally: &Tally, warnings_and_notes: &TableWarnings) -> String {
+    summary_lines(plan, tally) + &notes_text(&warnings_and_notes.notes)
 }
 
 /// Warnings and notes on a table, before its rows are computed.
 #[derive(Debug, Clone)]
-pub struct Cautions {
+pub struct TableWarnings {
     pub warnings: Vec<String>,
     /// Notes on the strength and on the exponent behind e.
     pub notes: Vec<String>,
 }
 
 /// The warnings and the notes about a table of this plan; `known` is its contact, if that is made already.
-pub fn cautions(plan: &Plan, known: Option<&Contact>) -> Cautions {
+pub fn table_warnings(plan: &Plan, known: Option<&Contact>) -> TableWarnings {
     let corners = corner_warnings(plan, known);
     let own = if known.is_none() { plan.input.contact().ok() } else { None };
     let contact = known.or(own.as_ref()).filter(|_| corners.has_dent);
     let notes = contact.map(|contact| strength_notes(&plan.input, contact, &plan.input.law(), &plan.varied_paths()));
-    Cautions { warnings: [corners.warnings, warning_texts(&plan.warnings)].concat(), notes: notes.unwrap_or_default() }
+    TableWarnings {
+        warnings: [corners.warnings, warning_texts(&plan.warnings)].concat(),
+        notes: notes.unwrap_or_default(),
+    }
 }
 
 /// `summary.json`, which repeats warnings and notes, and the pictures of a whole table. Its own file is in the provenance.
 pub fn files(
     plan: &Plan,
     tally: &Tally,
-    cautions: &Cautions,
+    warnings_and_notes: &TableWarnings,
     provenance: Provenance,
     format: PictureFormat,
 ) -> Result<Vec<OutputFile>, Error> {
     let pictures = format.to_files(|| Ok(pictures(plan, tally)))?;
-    let mut results = summary_fields(plan, tally, &cautions.warnings);
-    put_notes(&mut results, &cautions.notes);
+    let mut results = summary_fields(plan, tally, &warnings_and_notes.warnings);
+    put_notes(&mut results, &warnings_and_notes.notes);
     with_summary(pictures, provenance, results, &Inputs::from_plan(plan))
 }

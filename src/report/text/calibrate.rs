@@ -20,7 +20,7 @@ use crate::units::{format_four_digits, format_percent};
 const UNBOUNDED: &str = "not bounded by these data";
 
 /// An interval in SI. An end that the data do not bound is `null`.
-fn interval(ends: IntervalEnds) -> Value {
+fn interval_json(ends: IntervalEnds) -> Value {
     let note = ends.iter().any(Option::is_none).then_some(UNBOUNDED);
     json!({ "low": ends[0], "high": ends[1], "note": note })
 }
@@ -59,11 +59,11 @@ pub fn calibration_results<'a>() -> Vec<ResultSpec<CalibrationReport<'a>>> {
         /// Correlation of the two keys.
         "correlation": one.calibration.correlation().filter(|_| one.calibration.reason_without_intervals.is_none());
         /// `true` if the law fits, `null` if these measurements cannot tell.
-        "fits": one.calibration.verdict().fits();
+        "fits": one.calibration.verdict().is_compatible();
         /// Why the law does not fit.
-        "contradiction": one.calibration.verdict().contradiction();
+        "contradiction": one.calibration.verdict().contradiction_reason();
         /// Why it cannot be judged whether the law fits, although it is off.
-        "undecided": one.calibration.verdict().undecided();
+        "undecided": one.calibration.verdict().undecided_reason();
         /// Measured values.
         "values": one.calibration.residuals.len();
         /// Values without outliers, less the keys.
@@ -154,9 +154,9 @@ pub fn key_results<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
         /// Standard deviation; `null` if there is no interval.
         "sd": one.estimate().sd;
         /// Ends of the interval with a confidence of 68 %; an end that the data do not bound is `null`, as `note` says.
-        "interval_68": one.estimate().intervals.map(|[narrow, _]| interval(narrow));
+        "interval_68": one.estimate().intervals.map(|[narrow, _]| interval_json(narrow));
         /// Ends of the interval with a confidence of 95 %.
-        "interval_95": one.estimate().intervals.map(|[_, wide]| interval(wide));
+        "interval_95": one.estimate().intervals.map(|[_, wide]| interval_json(wide));
         /// The value that shifts the key most: its line, its quantity, and the shift if it were left out.
         "largest_shift": one.largest_shift();
     }

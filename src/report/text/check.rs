@@ -38,7 +38,7 @@ pub fn contact_results() -> Vec<ResultSpec<Contact>> {
 }
 
 /// The contact with the strengths at the strain rate of the speed, where they depend on it.
-pub(super) fn at_own_speed(input: &Input, contact: &Contact) -> Contact {
+pub(super) fn contact_at_own_speed(input: &Input, contact: &Contact) -> Contact {
     let [speed, _] = input.approach().components();
     contact.at_speed(speed).unwrap_or_else(|_| contact.clone())
 }
@@ -46,7 +46,7 @@ pub(super) fn at_own_speed(input: &Input, contact: &Contact) -> Contact {
 /// A scenario of impacts; of a table, it is its first case.
 pub fn contact_fields(input: &Input, contact: &Contact) -> Map<String, Value> {
     let inputs = Inputs::new(input).to_json().into();
-    let numbers = to_fields(&self::contact_results(), &at_own_speed(input, contact)).into();
+    let numbers = to_fields(&self::contact_results(), &contact_at_own_speed(input, contact)).into();
     Map::from_iter([("inputs".to_owned(), inputs), ("contact".to_owned(), numbers)])
 }
 

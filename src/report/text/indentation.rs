@@ -210,12 +210,12 @@ pub fn overview(
         rows.extend(terminal::label_value_rows(&half_space_results(), one));
         rows.push(overview::yielding_row(&one.pair, one.pair.reachable_yield_point().is_some()));
     }
-    align_columns(&rows, |_| true) + &terminal::notes(notes)
+    align_columns(&rows, |_| true) + &terminal::notes_text(notes)
 }
 
 /// Notes for the user on the strength behind forces and indentations, if a body yields and the scenario does not describe its flow
 /// stress further.
-pub fn notes(scenario: &Scenario, tested: &[SpecimenResult]) -> Vec<String> {
+pub fn material_notes(scenario: &Scenario, tested: &[SpecimenResult]) -> Vec<String> {
     let input = scenario.input();
     let is_vague = |body: Body| !input.has_flow(body) && input.strength_kind(body).is_none();
     let has_dent = |one: &&SpecimenResult| one.indentation.steps.iter().any(|step| step.plastic_work > 0.0);

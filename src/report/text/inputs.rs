@@ -8,7 +8,7 @@ use crate::impact::Method;
 use crate::scenario::input::{Body, Input, KeyValue, alternative_to};
 use crate::scenario::keys::quantity::FACTOR;
 use crate::scenario::keys::{Part, body_key};
-use crate::scenario::plan::{Axis, AxisWord, Plan};
+use crate::scenario::plan::{AxisWord, Plan, SweepAxis};
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,7 +41,7 @@ impl Inputs {
         for choice in input.materials() {
             let part = if choice.body == Body::Sphere { Part::Sphere } else { Part::HalfSpace };
             entries.push(KeyValue::from_word(choice.body.material(), part, choice.material.name.as_str()));
-            entries.extend(choice.notes().map(|(path, note)| KeyValue::from_word(&path, part, note)));
+            entries.extend(choice.value_notes().map(|(path, note)| KeyValue::from_word(&path, part, note)));
         }
         Self(entries)
     }
@@ -55,7 +55,7 @@ impl Inputs {
             entries.extend(new);
         }
         let mut varied = plan.varied_paths();
-        for word in plan.axes().iter().flat_map(Axis::words) {
+        for word in plan.axes().iter().flat_map(SweepAxis::word_values) {
             if let AxisWord::Material(choice) = word {
                 varied.extend(choice.known_values().map(|(path, _)| path));
             }

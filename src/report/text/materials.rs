@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
-use crate::materials::{MaterialEntry, Property, PropertyValue, all};
+use crate::materials::{MaterialEntry, Property, PropertyValue, all_materials};
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_four_digits, format_result};
 
 /// True if the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
-pub fn matches(entry: &MaterialEntry, text: &str) -> bool {
+pub fn is_match(entry: &MaterialEntry, text: &str) -> bool {
     let text = text.to_lowercase();
     [&entry.name, &entry.title].into_iter().any(|words| words.to_lowercase().contains(&text))
 }
@@ -18,7 +18,7 @@ pub fn matches(entry: &MaterialEntry, text: &str) -> bool {
 pub fn material_rows(text: &str) -> Vec<[String; 7]> {
     let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
     let mut rows = vec![heads.map(ToOwned::to_owned)];
-    rows.extend(all().iter().filter(|entry| matches(entry, text)).map(|entry| {
+    rows.extend(all_materials().iter().filter(|entry| is_match(entry, text)).map(|entry| {
         let text = |property| entry.get(property).map_or_else(|| "-".to_owned(), |known| known.value.text.clone());
         let [density, modulus, ratio, hardness, exponent, _] = Property::ALL.map(text);
         [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]

@@ -15,4 +15,4 @@ mod terminal;
 pub mod units;
 
 pub use files::trace_csv;
-pub use terminal::{Detail, impact_text as table, notes};
+pub use terminal::{Detail, impact_text, notes_text};

@@ -1,7 +1,7 @@
 //! The text of `check`: every value with its unit, and the numbers that follow from them before anything is run.
 
 use super::inputs::Inputs;
-use super::terminal::{label_value_rows, notes};
+use super::terminal::{label_value_rows, notes_text};
 use super::{calibrate, check};
 use crate::calibrate::{Calibration, CalibrationTask};
 use crate::contact::law::LawChoice;
@@ -20,7 +20,7 @@ type Row = [String; 2];
 pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     let mut rows = Vec::new();
     let [speed, _] = input.approach().components();
-    let contact = &check::at_own_speed(input, contact);
+    let contact = &check::contact_at_own_speed(input, contact);
     let law = input.law();
     for [key, text] in self::input_rows(&Inputs::new(input)) {
         match key.as_str() {
@@ -44,7 +44,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
         rows.push(["strength raised at the turn by".to_owned(), format_four_digits(rated.factor_at_turn)]);
     }
     let softer = contact.pair().reachable_yield_point().map(|point| point.yield_partition.for_softer(Body::ALL));
-    align_columns(&rows, |_| true) + &self::notes(notes) + &rate_hint(input, contact, softer, speed).unwrap_or_default()
+    align_columns(&rows, |_| true) + &notes_text(notes) + &rate_hint(input, contact, softer, speed).unwrap_or_default()
 }
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
@@ -97,7 +97,7 @@ fn rate_hint(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
 
 /// Keys and values.
 pub(super) fn input_rows(inputs: &Inputs) -> Vec<Row> {
-    inputs.0.iter().map(|entry| [entry.path.clone(), entry.text()]).collect()
+    inputs.0.iter().map(|entry| [entry.path.clone(), entry.terminal_text()]).collect()
 }
 
 /// Which body flows, with the ratio of the strengths, if the contact is narrower than the sphere at first yield.

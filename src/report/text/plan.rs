@@ -1,6 +1,6 @@
 //! The text of `check` about a table: how many cases there are, what varies, and which columns the table will have.
 
-use crate::scenario::plan::{Axis, Cases, Distribution, Plan, Variable};
+use crate::scenario::plan::{Cases, Distribution, Plan, SweepAxis, Variable};
 use crate::strings::align_columns;
 use crate::units::format_percent;
 
@@ -25,7 +25,7 @@ pub fn plan_lines(plan: &Plan) -> String {
     format!("{count} cases, {from}\n{rows}columns {columns}\n\n{scene}:\n")
 }
 
-fn values_text(axis: &Axis) -> String {
+fn values_text(axis: &SweepAxis) -> String {
     let count = axis.len();
     if count <= MAX_LISTED {
         return (0..count).map(|place| axis.label(place)).collect::<Vec<_>>().join(", ");
@@ -39,7 +39,7 @@ fn values_text(axis: &Axis) -> String {
     }
     let [low, high] = axis.extreme_places();
     let is_rising = (1..count).all(|place| axis.value_at(place - 1) < axis.value_at(place));
-    if is_rising || !axis.words().is_empty() {
+    if is_rising || !axis.word_values().is_empty() {
         return format!("{count} values from {first} to {last}");
     }
     format!("{count} values between {} and {}, in the order of the list", axis.label(low), axis.label(high))

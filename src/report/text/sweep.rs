@@ -110,7 +110,7 @@ pub fn summary_lines(plan: &Plan, tally: &Tally) -> String {
     }
     for (place, (column, all)) in constant.iter().enumerate() {
         let value = format_result(all.mean, dimension_of(column.name));
-        let (name, keys) = (words(column), plan.varied_paths().join(" and "));
+        let (name, keys) = (column_label(column), plan.varied_paths().join(" and "));
         let before = if place == 0 { "\n" } else { "" };
         let _ = writeln!(text, "{before}{name}: {value} in all cases, as it does not depend on {keys} here");
     }
@@ -118,7 +118,7 @@ pub fn summary_lines(plan: &Plan, tally: &Tally) -> String {
 }
 
 /// The name of a column in words, without its unit.
-fn words(column: &ResultColumn) -> String {
+fn column_label(column: &ResultColumn) -> String {
     column.name.strip_suffix(dimension_of(column.name).suffix()).unwrap_or(column.name).replace('_', " ")
 }
 
@@ -128,5 +128,5 @@ fn quantiles((column, all): &(ResultColumn, RestitutionStatistics)) -> [String; 
     let values = [all.mean, all.quantile_05, all.quantile_50, all.quantile_95];
     let mut texts = quantities(&values, dimension).into_iter();
     let mut next = || texts.next().unwrap_or_default();
-    [words(column), next(), format_result(all.standard_deviation, dimension), next(), next(), next()]
+    [column_label(column), next(), format_result(all.standard_deviation, dimension), next(), next(), next()]
 }

@@ -55,11 +55,11 @@ pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
     replace_imprint_word(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.imprint_name()));
     put_measured_first(&mut lines);
     mark_doubtful(&mut lines, impact);
-    align_columns(&lines, |_| true) + &notes(single.notes)
+    align_columns(&lines, |_| true) + &notes_text(single.notes)
 }
 
 /// Notes below the results, a paragraph each.
-pub fn notes(notes: &[String]) -> String {
+pub fn notes_text(notes: &[String]) -> String {
     notes.iter().flat_map(|note| ["\n", note, "\n"]).collect()
 }
 

@@ -5,7 +5,7 @@ use crate::strings::align_columns;
 use crate::units::{Dimension, format_number, parse};
 
 /// Rows of quantity, SI unit and units; the first row has the names of the columns.
-pub fn rows() -> Vec<[String; 3]> {
+pub fn unit_rows() -> Vec<[String; 3]> {
     let head = ["quantity", "SI unit", "units"].map(str::to_owned);
     let row = |dimension: &Dimension| {
         let name = dimension.name().trim_start_matches("an ").trim_start_matches("a ").to_owned();
@@ -37,7 +37,7 @@ fn hardness() -> [String; 3] {
 
 /// The units for the terminal.
 pub fn list() -> String {
-    format!("{}\n{SPELLINGS}\n", align_columns(&rows(), |_| true))
+    format!("{}\n{SPELLINGS}\n", align_columns(&unit_rows(), |_| true))
 }
 
 const SPELLINGS: &str = "A size of a ball may be a fraction of an inch: \"1/2 in\", \"1-3/8 in\".

@@ -154,7 +154,7 @@ impl Document {
         &self.name
     }
 
-    pub fn text(&self) -> &str {
+    pub fn original_text(&self) -> &str {
         &self.text
     }
 
@@ -164,7 +164,7 @@ impl Document {
     }
 
     /// The text with the changes of the command line.
-    pub fn edited(&self) -> &str {
+    pub fn edited_text(&self) -> &str {
         &self.edited
     }
 

@@ -22,7 +22,7 @@ impl Body {
         }
     }
 
-    pub fn table(self) -> &'static str {
+    pub fn table_name(self) -> &'static str {
         self.select(["sphere", "half_space"])
     }
 
@@ -66,7 +66,7 @@ impl BodyMaterial {
     }
 
     /// The values taken from the material, for a summary, each with its name: the value as written, its range, and the kind of number.
-    pub fn notes(&self) -> impl Iterator<Item = (String, String)> {
+    pub fn value_notes(&self) -> impl Iterator<Item = (String, String)> {
         self.known_values().map(|(_, PropertyValue { property, value: used, range: [low, high], basis, .. })| {
             let name = format!("{}_{}", self.body.material(), property.name());
             (name, format!("{} ({} to {}); {basis}", used.text, low.text, high.text))

@@ -134,16 +134,16 @@ impl Input {
         Arc::make_mut(&mut self.others).values.insert(place, value);
     }
 
-    pub fn words(&self, at: KeyId<OTHER>) -> Option<&[String]> {
+    pub fn word_list(&self, at: KeyId<OTHER>) -> Option<&[String]> {
         if let Some(Value::Words(words)) = self.value(at) { Some(words) } else { None }
     }
 
-    pub fn numbers(&self, at: KeyId<OTHER>) -> Option<&[f64]> {
+    pub fn number_list(&self, at: KeyId<OTHER>) -> Option<&[f64]> {
         if let Some(Value::Numbers(numbers)) = self.value(at) { Some(numbers) } else { None }
     }
 
     /// A text, or the name of a file.
-    pub fn text(&self, at: KeyId<OTHER>) -> Option<&str> {
+    pub fn text_value(&self, at: KeyId<OTHER>) -> Option<&str> {
         if let Some(Value::Text(text)) = self.value(at) { Some(text) } else { None }
     }
 
@@ -211,7 +211,7 @@ impl Input {
                 (ValueForm::Count(_), Some(count), _) => (count as u64).into(),
                 (ValueForm::Word(words), Some(place), _) => (words.values)().get(place as usize).cloned().into(),
                 (_, Some(number), _) => number.into(),
-                (.., Some(value)) if value.text().is_some() => value.text().into(),
+                (.., Some(value)) if value.report_text().is_some() => value.report_text().into(),
                 _ => continue,
             };
             let quantity = key.number().map(|(quantity, _)| quantity);
@@ -223,7 +223,7 @@ impl Input {
 
 impl Value {
     /// The text for reports; `None` for values that reports omit.
-    fn text(&self) -> Option<String> {
+    fn report_text(&self) -> Option<String> {
         match self {
             Self::Curve(FlowCurve::Points(points)) => {
                 let pair = |point: &FlowPoint| {
@@ -260,7 +260,7 @@ impl KeyValue {
     }
 
     /// The value for the terminal.
-    pub fn text(&self) -> String {
+    pub fn terminal_text(&self) -> String {
         match (self.quantity, self.value.as_f64(), self.value.as_str()) {
             (Some(quantity), Some(number), _) if quantity.is_hardness => {
                 format!("{}, {}", format_si_and_short(number, quantity.dimension), quantity.display(number))

@@ -62,7 +62,7 @@ impl Input {
             TABLE_LISTS.iter().find(|list| list.path.strip_suffix("[]") == Some(path))
         {
             let DeValue::Array(tables) = node.get_ref() else {
-                return Err(ValueError::unexpected(node, &format!("a list of tables: {example}")));
+                return Err(ValueError::wrong_type(node, &format!("a list of tables: {example}")));
             };
             let mut all = Vec::new();
             for (i, table) in tables.iter().enumerate() {
@@ -72,7 +72,7 @@ impl Input {
                         one.read(keys, path, reader);
                         Ok(())
                     }
-                    _ => Err(ValueError::unexpected(table, item)),
+                    _ => Err(ValueError::wrong_type(table, item)),
                 });
                 all.push(one);
             }
@@ -89,12 +89,15 @@ impl Input {
     /// Takes the law that `[law]` names, and its keys.
     fn read_law(&mut self, node: &TomlValue, reader: &mut Reader) -> Result<(), ValueError> {
         let DeValue::Table(laws) = node.get_ref() else {
-            return Err(ValueError::at(node, format!("not a table; {ONE_LAW_TEXT}")));
+            return Err(ValueError::new(node, format!("not a table; {ONE_LAW_TEXT}")));
         };
         let found: Vec<&str> = laws.keys().map(|law| &**law.get_ref()).collect();
         let (&[name], Some((law, table))) = (&found[..], laws.iter().next()) else {
             let found = if found.is_empty() { "none".to_owned() } else { found.join(" and ") };
-            return Err(ValueError::at(node, format!("a scenario has exactly one law, found {found}; {ONE_LAW_TEXT}")));
+            return Err(ValueError::new(
+                node,
+                format!("a scenario has exactly one law, found {found}; {ONE_LAW_TEXT}"),
+            ));
         };
         if name == COMBINED {
             reader.in_table(COMBINED, |reader| {
@@ -113,7 +116,7 @@ impl Input {
             let message = format!(
                 "{name} is a law of unloading only; write [law.combined] with loading = \"jackson_green\" (or another) and unloading = \"{name}\""
             );
-            reader.in_table(name, |_| Err(ValueError::at(table, message)));
+            reader.in_table(name, |_| Err(ValueError::new(table, message)));
         }
         reader.in_table(name, |reader| {
             self.read(as_table(table)?, &join_path("law", name), reader);
@@ -134,7 +137,7 @@ fn read_combined_law(node: &TomlValue, reader: &mut Reader) -> Result<LawChoice,
     for (half, verb, law) in [("loading", "loads", "plm"), ("unloading", "unloads", "thornton")] {
         let Some(name) = halves.get(half) else {
             let message = format!("the key `{half}` is missing: the law that {verb}, such as {half} = \"{law}\"");
-            return Err(ValueError::at(node, message));
+            return Err(ValueError::new(node, message));
         };
         names.push(name.get_ref().as_str().unwrap_or_default());
     }
@@ -154,7 +157,7 @@ fn read_other(form: ValueForm, path: &str, node: &TomlValue, reader: &mut Reader
         }
         ValueForm::Points => {
             let points = read_each(node, &format!("[{}]", pair_example(POINT)), |item| read_pair(POINT, item))?;
-            Value::Curve(flow_curve_through(&points).map_err(|message| ValueError::at(node, message))?)
+            Value::Curve(flow_curve_through(&points).map_err(|message| ValueError::new(node, message))?)
         }
         ValueForm::WordOrTable(words) => Value::Text((words.values)()[read_word(words, node)?].clone()),
         ValueForm::File(example) if path.ends_with(".flow_stress.table") => {
@@ -162,13 +165,13 @@ fn read_other(form: ValueForm, path: &str, node: &TomlValue, reader: &mut Reader
             let at = |line: Option<u64>| line.map(|line| format!(":{line}")).unwrap_or_default();
             let curve = parse_flow_points(&text)
                 .and_then(|points| flow_curve_through(&points).map_err(|message| (None, message)));
-            let refuse = |(line, message)| ValueError::at(node, format!("{path}{}: {message}", at(line)));
+            let refuse = |(line, message)| ValueError::new(node, format!("{path}{}: {message}", at(line)));
             Value::Curve(curve.map_err(refuse)?)
         }
         ValueForm::File(example) if path == "law.plm.coefficients" => {
             let [path, text] = reader.file(node, example)?;
             let refuse = |error: &dyn std::fmt::Display| {
-                ValueError::at(node, format!("{path}: {}", error.to_string().trim_end()))
+                ValueError::new(node, format!("{path}: {}", error.to_string().trim_end()))
             };
             Value::Coefficients(Arc::new(PlmCoefficients::from_toml(&text).map_err(|error| refuse(&error))?))
         }

@@ -19,13 +19,13 @@ pub struct ValueError {
 
 impl ValueError {
     /// A refusal of the value at this span.
-    pub fn at(node: &TomlValue, message: impl Into<String>) -> Self {
+    pub fn new(node: &TomlValue, message: impl Into<String>) -> Self {
         Self { span: node.span(), message: message.into() }
     }
 
     /// The refusal of a value of the wrong kind.
-    pub fn unexpected(node: &TomlValue, expected: &str) -> Self {
-        Self::at(node, format!("found {}, expected {expected}", describe_value(node)))
+    pub fn wrong_type(node: &TomlValue, expected: &str) -> Self {
+        Self::new(node, format!("found {}, expected {expected}", describe_value(node)))
     }
 }
 
@@ -60,7 +60,7 @@ impl<'f> Reader<'f> {
 
     /// Path and text of the file that this key names.
     pub fn file(&mut self, node: &TomlValue, example: &str) -> Result<[String; 2], ValueError> {
-        (self.files)(&self.path, read_text(node, example)?).map_err(|message| ValueError::at(node, message))
+        (self.files)(&self.path, read_text(node, example)?).map_err(|message| ValueError::new(node, message))
     }
 
     /// Refuses keys that are not in `known`, the names of the keys of this table.
@@ -107,15 +107,15 @@ pub fn read_number(quantity: &Quantity, word: Option<&str>, node: &TomlValue) ->
     let value = match node.get_ref() {
         DeValue::String(text) if word.is_some_and(|word| text.trim() == word) => return Ok(f64::INFINITY),
         DeValue::String(text) => {
-            return quantity.parse(text).map_err(|message| ValueError::at(node, message + &or("; or write")));
+            return quantity.parse(text).map_err(|message| ValueError::new(node, message + &or("; or write")));
         }
         DeValue::Integer(digits) => whole_number(digits),
         DeValue::Float(digits) => digits.as_str().parse().ok(),
         _ => None,
     };
     let expected = || format!("{} such as {}{}", quantity.name, quantity.example, or(", or"));
-    let value = value.ok_or_else(|| ValueError::unexpected(node, &expected()))?;
-    quantity.check_si_number(value).map_err(|message| ValueError::at(node, message))
+    let value = value.ok_or_else(|| ValueError::wrong_type(node, &expected()))?;
+    quantity.check_si_number(value).map_err(|message| ValueError::new(node, message))
 }
 
 /// A whole number.
@@ -123,7 +123,7 @@ pub fn read_number(quantity: &Quantity, word: Option<&str>, node: &TomlValue) ->
 pub fn read_count(quantity: &Quantity, node: &TomlValue) -> Result<u64, ValueError> {
     const U64_LIMIT: f64 = 18_446_744_073_709_551_616.0;
     if let DeValue::String(_) = node.get_ref() {
-        return Err(ValueError::unexpected(node, &format!("a whole number such as {}", quantity.example)));
+        return Err(ValueError::wrong_type(node, &format!("a whole number such as {}", quantity.example)));
     }
     let value = read_number(quantity, None, node)?;
     // above 2^53 only the digits show the number
@@ -134,7 +134,7 @@ pub fn read_count(quantity: &Quantity, node: &TomlValue) -> Result<u64, ValueErr
         None if value.fract() == 0.0 && value < U64_LIMIT => Ok(value as u64),
         None => {
             let message = format!("{value} is not allowed: {} must be a whole number below 2^64", quantity.name);
-            Err(ValueError::at(node, message))
+            Err(ValueError::new(node, message))
         }
     }
 }
@@ -144,14 +144,14 @@ pub fn read_pair(quantities: [&Quantity; 2], node: &TomlValue) -> Result<[f64; 2
     let example = quantities.map(|quantity| quantity.example).join(", ");
     match read_list(node, &format!("[{example}]"))? {
         [one, other] => Ok([read_number(quantities[0], None, one)?, read_number(quantities[1], None, other)?]),
-        items => Err(ValueError::at(node, format!("has {} numbers; write two, such as [{example}]", items.len()))),
+        items => Err(ValueError::new(node, format!("has {} numbers; write two, such as [{example}]", items.len()))),
     }
 }
 
 pub fn read_list<'n, 't>(node: &'n TomlValue<'t>, example: &str) -> Result<&'n [TomlValue<'t>], ValueError> {
     match node.get_ref() {
         DeValue::Array(items) => Ok(items),
-        _ => Err(ValueError::unexpected(node, &format!("a list in [ ] such as {example}"))),
+        _ => Err(ValueError::wrong_type(node, &format!("a list in [ ] such as {example}"))),
     }
 }
 
@@ -159,7 +159,7 @@ pub fn read_list<'n, 't>(node: &'n TomlValue<'t>, example: &str) -> Result<&'n [
 pub fn read_text<'n>(node: &'n TomlValue, example: &str) -> Result<&'n str, ValueError> {
     match node.get_ref() {
         DeValue::String(text) => Ok(text),
-        _ => Err(ValueError::unexpected(node, &format!("a text in quotes such as \"{example}\""))),
+        _ => Err(ValueError::wrong_type(node, &format!("a text in quotes such as \"{example}\""))),
     }
 }
 
@@ -179,13 +179,13 @@ pub fn find_word<T>(words: &WordList, node: &TomlValue, find: impl FnOnce(&str) 
             "material" => unknown_material(given),
             _ => did_you_mean(given, known.iter().map(String::as_str), '"', &known_names(given, &all, words.plural)),
         };
-        ValueError::at(node, format!("unknown {} \"{given}\"{hint}", words.singular))
+        ValueError::new(node, format!("unknown {} \"{given}\"{hint}", words.singular))
     })
 }
 
 pub fn as_table<'n, 't>(node: &'n TomlValue<'t>) -> Result<&'n DeTable<'t>, ValueError> {
     match node.get_ref() {
         DeValue::Table(table) => Ok(table),
-        _ => Err(ValueError::unexpected(node, "a table")),
+        _ => Err(ValueError::wrong_type(node, "a table")),
     }
 }

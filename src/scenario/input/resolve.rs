@@ -12,7 +12,7 @@ use crate::impact::{
     Approach, Contact, Damping, Forces, ImpactError, Incidence, MaterialNames, Method, Plate, PlateTheory,
     STANDARD_GRAVITY, Solver,
 };
-use crate::materials::{MaterialEntry, all};
+use crate::materials::{MaterialEntry, all_materials};
 use crate::scenario::keys::{Part, body_key, key};
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
@@ -201,14 +201,14 @@ impl Input {
 
     pub fn named_material(&self, body: Body) -> Option<&'static MaterialEntry> {
         // the file of materials is read only for a body that names one
-        self.word(body_key!(body, "material")).and_then(|place| all().get(place))
+        self.word(body_key!(body, "material")).and_then(|place| all_materials().get(place))
     }
 
     /// Replaces the values that a body took from another material by the values of its material.
     pub fn apply_material(&mut self, choice: &BodyMaterial) {
         self.set_word(
             body_key!(choice.body, "material"),
-            all().iter().position(|known| known.name == choice.material.name),
+            all_materials().iter().position(|known| known.name == choice.material.name),
         );
         if !self.materials().contains(choice) {
             let others = self.materials().iter().filter(|other| other.body != choice.body);

@@ -6,7 +6,7 @@ use crate::contact::law::catalogue::jackson_green::HardnessFit;
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::series::SpotMode;
 use crate::impact::{Method, PlateTheory};
-use crate::materials::{MaterialEntry, all};
+use crate::materials::{MaterialEntry, all_materials};
 use crate::results::result_columns;
 use crate::strings::did_you_mean;
 
@@ -25,12 +25,12 @@ pub fn unknown_material(name: &str) -> String {
         let words = format!("{} {}", entry.name, entry.title).to_lowercase();
         !parts.is_empty() && parts.iter().all(|part| has(&words, part))
     };
-    let meant: Vec<&str> = all().iter().filter(is_meant).map(|entry| entry.name.as_str()).collect();
-    let names = all().iter().map(|entry| entry.name.as_str());
+    let meant: Vec<&str> = all_materials().iter().filter(is_meant).map(|entry| entry.name.as_str()).collect();
+    let names = all_materials().iter().map(|entry| entry.name.as_str());
     let candidates: Vec<&str> = if meant.is_empty() { names.collect() } else { meant.clone() };
     let rest = format!(
         "`plm-impact materials` lists all {}; a scenario can give youngs_modulus, poissons_ratio and density instead",
-        all().len()
+        all_materials().len()
     );
     match &meant[..] {
         [one] => format!(", did you mean \"{one}\"?"),
@@ -70,7 +70,8 @@ pub static SCALES: WordList = word_list("scale", "scales", || to_texts(["log", "
 pub static ROBUSTS: WordList = word_list("word", "words here", || to_texts(["student-t", "none"]));
 /// The place of `student-t` among them.
 pub const STUDENT_T: usize = 0;
-pub static MATERIALS: WordList = word_list("material", "materials", || to_texts(all().iter().map(|entry| &entry.name)));
+pub static MATERIALS: WordList =
+    word_list("material", "materials", || to_texts(all_materials().iter().map(|entry| &entry.name)));
 pub static PLATES: WordList = word_list("word", "words here", || to_texts(PlateTheory::ALL.map(PlateTheory::name)));
 /// Distributions of a material within its ranges.
 pub static MATERIAL_DISTRIBUTIONS: WordList = word_list("word", "words here", || to_texts(["uniform"]));

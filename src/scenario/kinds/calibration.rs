@@ -9,7 +9,7 @@ use crate::scenario::document::read_text;
 use crate::scenario::input::{Body, BodyMaterial, Input, N_BODY_KEYS, NumericKey, REQUIRED_KEYS};
 use crate::scenario::keys::key;
 use crate::scenario::keys::words::STUDENT_T;
-use crate::scenario::plan::{Axis, AxisValues, Cases, FreeKey, Plan};
+use crate::scenario::plan::{AxisValues, Cases, FreeKey, Plan, SweepAxis};
 use crate::scenario::{DATA_KEY, MAX_DATA_MIB, Scenario};
 
 #[derive(Debug, Clone, PartialEq)]
@@ -56,7 +56,7 @@ impl Scenario {
         for free in &free {
             free.key.set_exclusive(&mut input, free.from);
         }
-        let laws = self.input.words(key!("calibrate.laws")).unwrap_or_default();
+        let laws = self.input.word_list(key!("calibrate.laws")).unwrap_or_default();
         let laws: Vec<LawChoice> = laws.iter().filter_map(|name| LawChoice::from_name(name)).collect();
         let hardens = Body::ALL.into_iter().find(|body| input.flow_curve(*body).is_some());
         let has_others = laws.iter().any(|law| law.name() != input.named_law.name());
@@ -86,7 +86,7 @@ impl Scenario {
 
     fn measurements(&self) -> Result<MeasurementSource, Error> {
         let measured = self.input.numbers_of("calibrate.measured");
-        match (self.input.text(key!("calibrate.data")), measured.is_empty()) {
+        match (self.input.text_value(key!("calibrate.data")), measured.is_empty()) {
             (Some(name), _) => {
                 if let Some((path, text)) = self.files.get(DATA_KEY) {
                     return Ok(MeasurementSource::Text(path.display().to_string(), text.clone()));
@@ -164,7 +164,7 @@ impl Scenario {
         let free = wanted.free.iter().map(|free| (free.key, free.from));
         let axis = |(key, value): (&'static NumericKey, f64)| {
             key.set_exclusive(&mut input, value);
-            Axis::from_numbers(key, AxisValues::List(vec![value]))
+            SweepAxis::from_numbers(key, AxisValues::List(vec![value]))
         };
         let axes = free.chain(columns.iter().map(|key| (*key, 1.0))).map(axis).collect();
         let plan = Plan::new(&input, Cases::Grid(axes));

@@ -93,7 +93,7 @@ impl Scenario {
         let mut specimens: Vec<Specimen> = Vec::new();
         for (i, one) in several.iter().enumerate() {
             let missing = |name| self.document.missing_key(&format!("{SPECIMENS_KEY}[{i}]"), name);
-            let name = one.text(key!("indentation.half_space[].name")).ok_or_else(|| missing("name"))?;
+            let name = one.text_value(key!("indentation.half_space[].name")).ok_or_else(|| missing("name"))?;
             if let Some(problem) = name_problem(name) {
                 return refuse(format!("number {} {problem}", i + 1));
             }

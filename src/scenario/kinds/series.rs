@@ -14,7 +14,7 @@ const NEEDS_IMPACTS_TEXT: &str = "the key `impacts` is missing: the most impacts
 impl Scenario {
     /// The speeds of a list of shots, if the scenario has one.
     pub(in crate::scenario) fn shot_speeds(&self) -> Option<&[f64]> {
-        self.input.numbers(key!("repeat.speeds"))
+        self.input.number_list(key!("repeat.speeds"))
     }
 
     /// Refuses an empty list of shots, and a list that is too long.

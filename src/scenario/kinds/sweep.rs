@@ -71,7 +71,7 @@ impl Scenario {
 
     /// The results that this key names, in the order of the columns; `None` where it is not given.
     fn selected_results(&self, key: &str, at: KeyId<OTHER>, plan: &Plan) -> Result<Option<Vec<&'static str>>, Error> {
-        let Some(names) = self.input.words(at) else { return Ok(None) };
+        let Some(names) = self.input.word_list(at) else { return Ok(None) };
         let mut chosen = Vec::new();
         for ResultColumn { name, needs, .. } in result_columns() {
             let count = names.iter().filter(|given| *given == name).count();
@@ -90,7 +90,9 @@ impl Scenario {
     /// Refuses columns for a scenario that is computed as no table.
     pub(crate) fn refuse_columns(&self) -> Result<(), Error> {
         let given = [("output.columns", key!("output.columns")), ("output.picture", key!("output.picture"))];
-        let Some((key, _)) = given.into_iter().find(|(_, at)| self.input.words(*at).is_some()) else { return Ok(()) };
+        let Some((key, _)) = given.into_iter().find(|(_, at)| self.input.word_list(*at).is_some()) else {
+            return Ok(());
+        };
         // of a table only the first case may be asked for, which is one impact
         let kind = Some(self.kind()?).filter(|kind| !kind.is_table()).unwrap_or(Kind::Impact);
         let message = format!(

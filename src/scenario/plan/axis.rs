@@ -92,7 +92,7 @@ impl AxisWord {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
+pub struct SweepAxis {
     pub setting: AxisSetting,
     part: Part,
     /// True if pictures show the axis on a logarithmic scale: its values are evenly spaced in the logarithm.
@@ -101,7 +101,7 @@ pub struct Axis {
     pub is_even: bool,
 }
 
-impl Axis {
+impl SweepAxis {
     /// An axis of a numeric key.
     pub fn from_numbers(key: &'static NumericKey, values: AxisValues) -> Self {
         let is_logarithmic = matches!(values, AxisValues::Spaced { log10_ends: Some(_), .. });
@@ -149,7 +149,7 @@ impl Axis {
     }
 
     /// Its words; empty for an axis of numbers.
-    pub fn words(&self) -> &[AxisWord] {
+    pub fn word_values(&self) -> &[AxisWord] {
         if let AxisSetting::Words { words, .. } = &self.setting { words } else { &[] }
     }
 
@@ -173,12 +173,12 @@ impl Axis {
 
     /// True if the law or its flow curve may change along the axis, as for materials that harden.
     pub fn changes_law(&self) -> bool {
-        self.part.changes_law() || !self.words().is_empty()
+        self.part.changes_law() || !self.word_values().is_empty()
     }
 
     /// True if its words set other keys, or remove the keys of another word: laws and materials.
     pub fn brings_values(&self) -> bool {
-        matches!(self.words(), [AxisWord::Law(_) | AxisWord::Material(_), ..])
+        matches!(self.word_values(), [AxisWord::Law(_) | AxisWord::Material(_), ..])
     }
 
     /// Sets value `i` in an input. A law or a material sets other keys too; for several axes use [`super::put`].

@@ -12,7 +12,7 @@ use super::keys::interval::law_error::has_law_error;
 use super::keys::{body_key, key};
 use crate::impact::{Method, Warning};
 use crate::results::{Requirement, ResultColumn, result_columns};
-pub(crate) use axis::{Axis, AxisSetting, AxisValues, AxisWord};
+pub(crate) use axis::{AxisSetting, AxisValues, AxisWord, SweepAxis};
 pub use free_key::FreeKey;
 pub(crate) use random::{Distribution, Variable, VariableSampler};
 
@@ -20,7 +20,7 @@ pub(crate) use random::{Distribution, Variable, VariableSampler};
 #[derive(Debug, Clone)]
 pub enum Cases {
     /// All combinations of the axes; the first varies slowest.
-    Grid(Vec<Axis>),
+    Grid(Vec<SweepAxis>),
     MonteCarlo {
         samples: u64,
         seed: u64,
@@ -61,7 +61,7 @@ impl Plan {
     }
 
     /// The axes; empty for random cases.
-    pub fn axes(&self) -> &[Axis] {
+    pub fn axes(&self) -> &[SweepAxis] {
         if let Cases::Grid(axes) = &self.cases { axes } else { &[] }
     }
 
@@ -69,7 +69,7 @@ impl Plan {
     /// scenario is read.
     pub fn n_cases(&self) -> u64 {
         match &self.cases {
-            Cases::Grid(axes) => axes.iter().map(Axis::len).fold(1, u64::saturating_mul),
+            Cases::Grid(axes) => axes.iter().map(SweepAxis::len).fold(1, u64::saturating_mul),
             Cases::MonteCarlo { samples, .. } => *samples,
         }
     }
@@ -184,7 +184,7 @@ impl Plan {
     /// The varied keys.
     pub fn varied_paths(&self) -> Vec<&'static str> {
         match &self.cases {
-            Cases::Grid(axes) => axes.iter().map(Axis::path).collect(),
+            Cases::Grid(axes) => axes.iter().map(SweepAxis::path).collect(),
             Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.path).collect(),
         }
     }
@@ -207,7 +207,7 @@ impl Plan {
     pub fn inputs_of_word_axes(&self) -> Vec<Input> {
         let mut all = vec![self.input_at(&vec![0; self.axes().len()])];
         for axis in
-            self.axes().iter().filter(|axis| matches!(axis.words(), [AxisWord::Law(_) | AxisWord::Method(_), ..]))
+            self.axes().iter().filter(|axis| matches!(axis.word_values(), [AxisWord::Law(_) | AxisWord::Method(_), ..]))
         {
             let with = |input: &Input, place| {
                 let mut input = input.clone();
@@ -225,7 +225,7 @@ impl Plan {
         const MAX_VALUES: u64 = 16;
         match &self.cases {
             Cases::Grid(axes) => {
-                let other_values = |(number, axis): (usize, &Axis)| {
+                let other_values = |(number, axis): (usize, &SweepAxis)| {
                     let (last, count) = (axis.len() - 1, axis.len().min(MAX_VALUES));
                     let at = move |i: u64| {
                         let mut places = vec![0; axes.len()];
@@ -289,15 +289,15 @@ impl Plan {
 }
 
 /// Sets the values of all axes in an input. Laws and materials are set first: they set keys that numeric axes then override.
-pub fn apply_axes(axes: &[Axis], places: &[u64], input: &mut Input) {
+pub fn apply_axes(axes: &[SweepAxis], places: &[u64], input: &mut Input) {
     for is_word in [true, false] {
-        for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.words().is_empty() != is_word) {
+        for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.word_values().is_empty() != is_word) {
             axis.apply(*place, input);
         }
     }
 }
 
-pub fn axis_indices(axes: &[Axis], case: u64) -> Vec<u64> {
+pub fn axis_indices(axes: &[SweepAxis], case: u64) -> Vec<u64> {
     let mut rest = case;
     let mut places: Vec<u64> = Vec::new();
     for axis in axes.iter().rev() {

@@ -16,7 +16,7 @@ use crate::scenario::input::{Body, BodyMaterial, NUMERIC_KEYS, NumericKey};
 use crate::scenario::keys::Quantity;
 use crate::scenario::keys::quantity::{N_SAMPLES, POINTS, SEED, positive_quantity};
 use crate::scenario::keys::words::{LAW_AXIS, MATERIAL_DISTRIBUTIONS, MATERIALS, METHODS, SCALES};
-use crate::scenario::plan::{Axis, AxisValues, AxisWord, Distribution, FreeKey, Variable};
+use crate::scenario::plan::{AxisValues, AxisWord, Distribution, FreeKey, SweepAxis, Variable};
 use crate::scenario::toml_node::{TomlKey, TomlValue, describe_value};
 use crate::strings::{did_you_mean, known_names};
 
@@ -37,11 +37,11 @@ pub(in crate::scenario) struct RandomKeys {
 }
 
 /// The axes of `[sweep]`.
-pub(in crate::scenario) fn read_axes(node: &TomlValue, reader: &mut Reader) -> Result<Vec<Axis>, ValueError> {
+pub(in crate::scenario) fn read_axes(node: &TomlValue, reader: &mut Reader) -> Result<Vec<SweepAxis>, ValueError> {
     let keys = as_table(node)?;
     if keys.is_empty() {
         let message = "has no axis; leave the table out, or give one such as \"impact.speed\" = [\"1 m/s\", \"2 m/s\"]";
-        return Err(ValueError::at(node, message));
+        return Err(ValueError::new(node, message));
     }
     Ok(read_each(keys, reader, read_axis))
 }
@@ -59,7 +59,7 @@ fn read_each<T>(
     all
 }
 
-fn read_axis(name: &TomlKey, node: &TomlValue) -> Result<Axis, ValueError> {
+fn read_axis(name: &TomlKey, node: &TomlValue) -> Result<SweepAxis, ValueError> {
     let path = name.get_ref();
     if path == METHOD_KEY {
         let method = |item: &TomlValue| find_word(&METHODS, item, Method::from_name).map(AxisWord::Method);
@@ -69,7 +69,7 @@ fn read_axis(name: &TomlKey, node: &TomlValue) -> Result<Axis, ValueError> {
         let find = |name: &str| LawChoice::from_name(name).filter(LawChoice::has_loading);
         if matches!(node.get_ref(), DeValue::String(all) if all == "all") {
             let laws = LawChoice::all().into_iter().filter(LawChoice::has_loading);
-            return Ok(Axis::from_words(LAW_KEY, laws.map(AxisWord::Law).collect()));
+            return Ok(SweepAxis::from_words(LAW_KEY, laws.map(AxisWord::Law).collect()));
         }
         let law = |item: &TomlValue| find_word(&LAW_AXIS, item, find).map(AxisWord::Law);
         return read_word_axis(LAW_KEY, node, "[\"plm\", \"thornton\"]", law);
@@ -82,7 +82,7 @@ fn read_axis(name: &TomlKey, node: &TomlValue) -> Result<Axis, ValueError> {
     }
     let key = find_numeric_key(name, true)?;
     refuse_word(key, node)?;
-    Ok(Axis::from_numbers(key, read_axis_values(key.quantity, node)?))
+    Ok(SweepAxis::from_numbers(key, read_axis_values(key.quantity, node)?))
 }
 
 fn read_word_axis(
@@ -90,8 +90,8 @@ fn read_word_axis(
     node: &TomlValue,
     example: &str,
     word: impl Fn(&TomlValue) -> Result<AxisWord, ValueError>,
-) -> Result<Axis, ValueError> {
-    Ok(Axis::from_words(path, read_distinct(node, read_list(node, example)?, word, AxisWord::name)?))
+) -> Result<SweepAxis, ValueError> {
+    Ok(SweepAxis::from_words(path, read_distinct(node, read_list(node, example)?, word, AxisWord::name)?))
 }
 
 /// The values of an axis: at least one, and no value twice. Two values with the same `identity` are equal.
@@ -102,14 +102,14 @@ fn read_distinct<T, K: Eq + Hash>(
     identity: impl Fn(&T) -> K,
 ) -> Result<Vec<T>, ValueError> {
     if items.is_empty() {
-        return Err(ValueError::at(node, "an axis needs at least one value"));
+        return Err(ValueError::new(node, "an axis needs at least one value"));
     }
     let values = items.iter().map(read).collect::<Result<Vec<T>, _>>()?;
     let mut seen = HashSet::new();
     let twice = values.iter().zip(items).find(|(value, _)| !seen.insert(identity(value)));
     match twice.map(|(_, item)| (item, describe_value(item))) {
         None => Ok(values),
-        Some((item, text)) => Err(ValueError::at(
+        Some((item, text)) => Err(ValueError::new(
             item,
             format!("{text} is there twice, which would be the same rows twice; leave one out"),
         )),
@@ -130,7 +130,7 @@ impl RandomKeys {
         } else {
             return Ok(());
         };
-        Err(ValueError::at(node, problem))
+        Err(ValueError::new(node, problem))
     }
 
     fn read_variable(&mut self, name: &TomlKey, node: &TomlValue) -> Result<(), ValueError> {
@@ -153,13 +153,13 @@ impl RandomKeys {
 
 /// The keys of `calibrate.read_free_key`; empty if measurements are only compared.
 pub(in crate::scenario) fn read_free_keys(node: &TomlValue, reader: &mut Reader) -> Result<Vec<FreeKey>, ValueError> {
-    let DeValue::Table(keys) = node.get_ref() else { return Err(ValueError::unexpected(node, FREE_KEY_EXAMPLE)) };
+    let DeValue::Table(keys) = node.get_ref() else { return Err(ValueError::wrong_type(node, FREE_KEY_EXAMPLE)) };
     if keys.len() > 2 {
         let message = format!(
             "{} keys are given, expected one or two, each with {FREE_KEY_FORM}; or none, to compare",
             keys.len()
         );
-        return Err(ValueError::at(node, message));
+        return Err(ValueError::new(node, message));
     }
     Ok(read_each(keys, reader, read_free_key))
 }
@@ -177,13 +177,13 @@ fn read_free_key(name: &TomlKey, node: &TomlValue) -> Result<FreeKey, ValueError
     let end = |end: Option<_>| end.map(|end| read_number(key.quantity, None, end)).transpose();
     let ends = end(from)?.zip(end(to)?).filter(|(from, to)| from < to);
     let (from, to) =
-        ends.ok_or_else(|| ValueError::at(node, format!("needs two ends, the lower first: {FREE_KEY_FORM}")))?;
+        ends.ok_or_else(|| ValueError::new(node, format!("needs two ends, the lower first: {FREE_KEY_FORM}")))?;
     let is_logarithmic = match scale {
         Some(scale) => read_word(&SCALES, scale)? == LOG_SCALE_INDEX,
         None => from > 0.0,
     };
     if is_logarithmic && from <= 0.0 {
-        return Err(ValueError::at(node, "a logarithmic range begins above 0; write scale = \"linear\""));
+        return Err(ValueError::new(node, "a logarithmic range begins above 0; write scale = \"linear\""));
     }
     Ok(FreeKey { key, from, to, is_logarithmic, hardness: None })
 }
@@ -198,7 +198,7 @@ fn refuse_word(key: &NumericKey, node: &TomlValue) -> Result<(), ValueError> {
     let message = format!(
         "\"{word}\" is no number, and an axis has numbers alone: make a table of its own with --set {path}={word}"
     );
-    Err(ValueError::at(item, message))
+    Err(ValueError::new(item, message))
 }
 
 /// The values of a table that has only these keys; `form` describes such a table in messages.
@@ -207,7 +207,7 @@ fn table_values<'n, 't, const N: usize>(
     names: [&str; N],
     form: &str,
 ) -> Result<[Option<&'n TomlValue<'t>>; N], ValueError> {
-    let DeValue::Table(table) = node.get_ref() else { return Err(ValueError::unexpected(node, form)) };
+    let DeValue::Table(table) = node.get_ref() else { return Err(ValueError::wrong_type(node, form)) };
     let unknown = table.keys().find(|name| !names.contains(&&**name.get_ref()));
     let Some((name, span)) = unknown.map(|name| (name.get_ref(), name.span())) else {
         return Ok(names.map(|name| table.get(name)));
@@ -248,7 +248,7 @@ fn read_axis_values(quantity: &Quantity, value: &TomlValue) -> Result<AxisValues
     let (ends, is_log, points) = match table_values(value, ["linspace", "logspace", "points"], &form)? {
         [Some(ends), None, points] => (ends, false, points),
         [None, Some(ends), points] => (ends, true, points),
-        _ => return Err(ValueError::at(value, "needs one of linspace = [from, to] and logspace = [from, to]")),
+        _ => return Err(ValueError::new(value, "needs one of linspace = [from, to] and logspace = [from, to]")),
     };
     // NumPy has the number of values in the list
     if let DeValue::Array(items) = ends.get_ref()
@@ -258,15 +258,15 @@ fn read_axis_values(quantity: &Quantity, value: &TomlValue) -> Result<AxisValues
             "has 3 numbers; write the two ends alone, and the number of values beside them: points = {}",
             describe_value(n_points)
         );
-        return Err(ValueError::at(ends, message));
+        return Err(ValueError::new(ends, message));
     }
     let [from, to] = read_pair([quantity; 2], ends)?;
-    let points = points.ok_or_else(|| ValueError::at(value, "points, the number of values, is missing"))?;
+    let points = points.ok_or_else(|| ValueError::new(value, "points, the number of values, is missing"))?;
     let points = read_count(&POINTS, points)?;
     if from.to_bits() == to.to_bits() && points > 1 {
         let message =
             format!("both ends are equal, which would be the same rows {points} times; give two ends, or points = 1");
-        return Err(ValueError::at(ends, message));
+        return Err(ValueError::new(ends, message));
     }
     if !is_log {
         return Ok(AxisValues::Spaced { from, to, points, log10_ends: None });
@@ -275,7 +275,7 @@ fn read_axis_values(quantity: &Quantity, value: &TomlValue) -> Result<AxisValues
         return Ok(AxisValues::logarithmic(from, to, points));
     }
     let message = "logspace cannot reach or pass zero: begin above it, or use linspace, or a list of values";
-    Err(ValueError::at(value, message))
+    Err(ValueError::new(value, message))
 }
 
 /// One distribution: `normal`, `lognormal` or `uniform`.
@@ -283,21 +283,21 @@ fn read_distribution(quantity: &Quantity, value: &TomlValue) -> Result<Distribut
     const FORMS: &str =
         "{ normal = { mean = ..., sd = ... } }, { lognormal = { mean = ..., sd = ... } } or { uniform = [from, to] }";
     match table_values(value, ["normal", "lognormal", "uniform"], FORMS)? {
-        [None, None, None] => Err(ValueError::at(value, format!("has no distribution; write {FORMS}"))),
+        [None, None, None] => Err(ValueError::new(value, format!("has no distribution; write {FORMS}"))),
         [None, None, Some(ends)] => match read_pair([quantity; 2], ends)? {
             [from, to] if from < to => Ok(Distribution::Uniform { from, to }),
-            _ => Err(ValueError::at(ends, "uniform takes two ends, the lower first")),
+            _ => Err(ValueError::new(ends, "uniform takes two ends, the lower first")),
         },
         [Some(normal), None, None] => {
             read_moments(quantity, normal).map(|(mean, sd)| Distribution::Normal { mean, sd })
         }
         [None, Some(lognormal), None] => match read_moments(quantity, lognormal)? {
             (mean, _) if mean <= 0.0 => {
-                Err(ValueError::at(lognormal, "the mean of a lognormal must be > 0; use normal or uniform"))
+                Err(ValueError::new(lognormal, "the mean of a lognormal must be > 0; use normal or uniform"))
             }
             (mean, sd) => Ok(Distribution::Lognormal { mean, sd }),
         },
-        _ => Err(ValueError::at(value, "a key has one distribution")),
+        _ => Err(ValueError::new(value, "a key has one distribution")),
     }
 }
 
@@ -305,7 +305,7 @@ fn read_distribution(quantity: &Quantity, value: &TomlValue) -> Result<Distribut
 fn read_moments(quantity: &Quantity, value: &TomlValue) -> Result<(f64, f64), ValueError> {
     let form = format!("{{ mean = {}, sd = ... }}", quantity.example);
     let [Some(mean), Some(sd)] = table_values(value, ["mean", "sd"], &form)? else {
-        return Err(ValueError::at(value, "mean and sd, the standard deviation, are both needed"));
+        return Err(ValueError::new(value, "mean and sd, the standard deviation, are both needed"));
     };
     Ok((read_number(quantity, None, mean)?, read_deviation(quantity, sd)?))
 }
@@ -318,7 +318,7 @@ fn read_deviation(quantity: &Quantity, node: &TomlValue) -> Result<f64, ValueErr
         let message = format!(
             "a standard deviation in {name} says nothing, as that scale is curved: write it in HV, such as \"20 HV\", or as a pressure"
         );
-        return Err(ValueError::at(node, message));
+        return Err(ValueError::new(node, message));
     }
     read_number(&deviation_quantity(quantity), None, node)
 }

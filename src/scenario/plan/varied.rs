@@ -5,12 +5,12 @@ use toml::de::{DeTable, DeValue};
 use super::read_axes;
 use super::read_axes::RandomKeys;
 use crate::scenario::input::reader::Reader;
-use crate::scenario::plan::{Axis, FreeKey};
+use crate::scenario::plan::{FreeKey, SweepAxis};
 
 /// The keys that vary. In most scenarios there are none.
 #[derive(Debug, Clone, Default)]
 pub(in crate::scenario) struct VariedKeys {
-    pub(in crate::scenario) sweep: Option<Vec<Axis>>,
+    pub(in crate::scenario) sweep: Option<Vec<SweepAxis>>,
     pub(in crate::scenario) monte_carlo: Option<RandomKeys>,
     pub(in crate::scenario) free: Option<Vec<FreeKey>>,
 }
@@ -38,7 +38,7 @@ impl VariedKeys {
 
     /// The keys that vary, or are to be found.
     pub(in crate::scenario) fn paths(&self) -> Vec<&'static str> {
-        let axes = self.sweep.iter().flatten().map(Axis::path);
+        let axes = self.sweep.iter().flatten().map(SweepAxis::path);
         let variables = self.monte_carlo.iter().flat_map(|random| &random.variables).map(|variable| variable.key.path);
         let free = self.free.iter().flatten().map(|free| free.key.path);
         axes.chain(variables).chain(free).collect()

@@ -2,7 +2,7 @@
 
 use crate::contact::law::LawChoice;
 use crate::error::Error;
-use crate::materials::{Property, all};
+use crate::materials::{Property, all_materials};
 use crate::scenario::Scenario;
 use crate::scenario::body_materials::takes_rate_from_material;
 use crate::scenario::input::{Body, Input};
@@ -23,7 +23,7 @@ impl Scenario {
         let of_body = table.trim_end_matches(".rate");
         let refuse = |message: String| Err(self.refusal_where_varied(table, message));
         if takes_rate_from_material(input, body) && input.rate(body).is_none() {
-            let known: Vec<&str> = all()
+            let known: Vec<&str> = all_materials()
                 .iter()
                 .filter(|entry| entry.get(Property::RateSensitivity).is_some())
                 .map(|entry| &*entry.name)

@@ -26,7 +26,7 @@ pub struct CsvEncoder {
 const MAX_PRERENDERED: usize = 1 << 15;
 
 /// The values of an axis as text, unless they are very many.
-fn prerendered(column: &TableColumn) -> Vec<Vec<u8>> {
+fn render_axis_values(column: &TableColumn) -> Vec<Vec<u8>> {
     let render = |value: &f64| zmij::Buffer::new().format(*value).as_bytes().to_vec();
     match column {
         TableColumn::AxisWord(_, names) => names.iter().map(|name| name.clone().into_bytes()).collect(),
@@ -42,14 +42,14 @@ impl CsvEncoder {
         let names = plan.column_names();
         let place = |column: &ResultColumn| names.iter().position(|name| name == column.name);
         let with_statistics = plan.statistics_columns().iter().filter_map(place).collect();
-        let fields = table_columns(plan).into_iter().map(|column| (prerendered(&column), column));
+        let fields = table_columns(plan).into_iter().map(|column| (render_axis_values(&column), column));
         let fields = fields.map(|(texts, column)| (column, texts)).collect();
         Self { header: (names.join(",") + "\n").into_bytes(), fields, with_statistics }
     }
 
     /// These rows as lines.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // places on an axis are whole numbers
-    pub fn lines(&self, rows: &Rows) -> Vec<u8> {
+    pub fn rows_as_lines(&self, rows: &Rows) -> Vec<u8> {
         // numbers take up to 24 characters
         let mut text = Vec::with_capacity(rows.cases.len() * 192);
         let n_swept = if rows.cases.is_empty() { 0 } else { rows.axis_values.len() / rows.cases.len() };
@@ -120,7 +120,7 @@ impl TableEncoder for CsvEncoder {
     }
 
     fn encode(&self, rows: &Rows) -> io::Result<Vec<u8>> {
-        Ok(self.lines(rows))
+        Ok(self.rows_as_lines(rows))
     }
 
     fn begin(&self, mut file: AtomicFile) -> io::Result<AtomicFile> {

@@ -131,8 +131,8 @@ fn error_of_e_matches_table_of_strengths() {
         let of_each = unloadings.map(|row| {
             let (strength, half_space) = (row.number("yield_strength_Pa"), row.half_space());
             let curve = row.curve().unwrap();
-            let rise = curve.normalised(strength, half_space.material.youngs_modulus);
-            let ratio = strain.map_or(1.0, |strain| rise.at(strain));
+            let rise = curve.normalise(strength, half_space.material.youngs_modulus);
+            let ratio = strain.map_or(1.0, |strain| rise.relative_stress(strain));
             let half_space = HalfSpace { yield_strength: Some(ratio * strength), ..half_space };
             let bodies =
                 YieldingPair::new(&Pair::try_new(&Sphere::elastic(1.0, row.sphere(), 1.0), &half_space).unwrap())

@@ -10,7 +10,7 @@ use plm_impact::impact::flight::free_flight::{FreeFlight, Medium};
 use plm_impact::validate;
 
 fn medium(row: &Row) -> Medium {
-    let drag = Some(row.text("drag")).filter(|drag| *drag != "sphere").map(|drag| drag.parse().unwrap());
+    let drag = Some(row.cell_text("drag")).filter(|drag| *drag != "sphere").map(|drag| drag.parse().unwrap());
     Medium {
         density: row.number("air_density_kg_per_m3"),
         drag,

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use plm_impact::materials::{MaterialEntry, RateClass};
-use plm_impact::scenario::keys::interval::law_error::{BodyClass, EXPONENTS, LawError, table};
+use plm_impact::scenario::keys::interval::law_error::{BodyClass, EXPONENTS, LawErrorRow, law_error_table};
 use plm_impact::scenario::keys::{RestitutionInterval, restitution_interval};
 use plm_impact::validate::law_error::{CycleError, cycle_errors, law_errors_csv};
 use rand_chacha::ChaCha8Rng;
@@ -21,9 +21,9 @@ fn law_error_table_matches_finite_elements() {
 }
 
 /// The row of the table that serves a load cycle: of its class and contact radius, and else of all.
-fn law_error_of(name: &str, class: BodyClass, ratio: f64) -> &'static LawError {
+fn law_error_of(name: &str, class: BodyClass, ratio: f64) -> &'static LawErrorRow {
     let find = |class: BodyClass| {
-        table().iter().find(|row| row.class == class && row.exponent == name && ratio <= row.max_radius_ratio)
+        law_error_table().iter().find(|row| row.class == class && row.exponent == name && ratio <= row.max_radius_ratio)
     };
     find(class).or_else(|| find(BodyClass::All)).unwrap_or_else(|| panic!("{name}, {}: no row", class.name()))
 }
@@ -46,7 +46,7 @@ fn law_error_holds_the_finite_elements() {
             assert!(10 * n >= 9 * of_class.len() && n > 20, "{name}, {}: {n} of {}", class.name(), of_class.len());
         }
         // an interval of e this wide still says something, and the exponent of the paper is low on one side
-        for row in table().iter().filter(|row| row.exponent == name) {
+        for row in law_error_table().iter().filter(|row| row.exponent == name) {
             assert!(row.high - row.low < 0.06 && row.low <= row.mean && row.mean <= row.high, "{row:?}");
             assert!(name != "paper" || row.high < 0.0, "{row:?}");
         }
@@ -110,7 +110,7 @@ fn interval_contains_e_of_fully_known_pieces() {
     let is_plastic = |(class, ..): &&CycleError| *class == BodyClass::PerfectlyPlastic;
     let of_law: Vec<f64> = errors.iter().filter(is_plastic).map(|(.., error)| *error).collect();
     let (mut n, mut held, mut worst) = (0, 0, Vec::new());
-    for entry in all().iter().filter(|entry| entry.is_metal() && !entry.creeps) {
+    for entry in all_materials().iter().filter(|entry| entry.is_metal() && !entry.creeps) {
         let (mut of_metal, mut held_of_metal) = (0, 0);
         for speed in [0.3, 1.0, 3.0, 5.0] {
             let text = drop_of("steel-52100-hardened", &entry.name, speed);
@@ -146,7 +146,8 @@ fn likely(warning: &Warning, e: f64) -> Option<[f64; 2]> {
 /// Every interval contains the e that a warning of the same impact calls likely. With a warning of e without figures there is no interval.
 #[test]
 fn interval_contains_e_of_warnings() {
-    let names: Vec<&str> = all().iter().filter(|entry| entry.is_metal()).map(|entry| entry.name.as_str()).collect();
+    let names: Vec<&str> =
+        all_materials().iter().filter(|entry| entry.is_metal()).map(|entry| entry.name.as_str()).collect();
     let (mut intervals, mut warned) = (0, 0);
     for half_space in &names {
         for ball in [half_space, "steel-52100-hardened", "aluminium-6061-t6", "steel-s235"] {

@@ -15,7 +15,7 @@ const OF_ROWS: f64 = 5e-6;
 
 /// s_1/s_0 of an elastic impact.
 fn elastic_ratio(psi: f64, chi: f64, accuracy: f64) -> f64 {
-    NormalMotion::elastic().unwrap().ratio(psi, chi, accuracy).unwrap()
+    NormalMotion::elastic_motion().unwrap().ratio(psi, chi, accuracy).unwrap()
 }
 
 /// The alumina sphere on glass of Kharaz, Gorham and Salman (2001).
@@ -63,7 +63,7 @@ fn twelve_impacts_are_those_of_the_reference() {
         let (spring, want_of_spring) = (stepped(&contact, approach, 2e4), number("spring_contact_point_ratio"));
         assert!((spring - want_of_spring).abs() < 3e-4, "{name}: {spring} {want_of_spring}");
         if scene.half_space().yield_strength.is_none() {
-            let got = NormalMotion::elastic().unwrap().single_spring_ratio(rebound.psi, contact.chi());
+            let got = NormalMotion::elastic_motion().unwrap().single_spring_ratio(rebound.psi, contact.chi());
             assert_abs_diff_eq!(got, want_of_spring, epsilon = 2e-4);
         }
         let of_table = contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap();

@@ -4,7 +4,7 @@
 
 use plm_impact::impact::solve::closed_form;
 
-use plm_impact::bench::problems::{Problem, kinked_law, steel_speed_ratio};
+use plm_impact::bench::problems::{BenchProblem, kinked_law, steel_speed_ratio};
 
 use super::stability_cases::hard_cases;
 use crate::common::prelude::*;
@@ -13,7 +13,7 @@ const TOLERANCES: [f64; 11] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 
 
 /// The error that rounding leaves at any tolerance. Between knots that are 1e-12 apart the contact time depends on the
 /// speed at each knot, u² = q² − (5/2) w, which has four digits fewer. All other errors are below 1e-14.
-fn rounding(case: &Problem) -> f64 {
+fn rounding(case: &BenchProblem) -> f64 {
     if case.name.contains("peak among") { 2e-12 } else { 1e-13 }
 }
 

@@ -5,7 +5,7 @@
 
 use plm_impact::impact::solve::closed_form;
 
-use plm_impact::bench::problems::{Problem, kinked_law, steel_speed_ratio, stiff_law};
+use plm_impact::bench::problems::{BenchProblem, kinked_law, steel_speed_ratio, stiff_law};
 use plm_impact::numerics::curve::LoadingCurve;
 use plm_impact::numerics::functions::{pow, powi};
 
@@ -55,10 +55,10 @@ impl ExtremePair {
 }
 
 /// A case whose exact outcome is the closed form's.
-fn closed_form_problem(name: &'static str, law: Law, speed: f64) -> Problem {
+fn closed_form_problem(name: &'static str, law: Law, speed: f64) -> BenchProblem {
     let exact = closed_form::solve(&law, speed);
     let about = if exact.restitution == 1.0 { ELASTIC } else { BALANCE };
-    Problem { name, description: about, law, speed, forces: ScaledForces::NONE, exact }
+    BenchProblem { name, description: about, law, speed, forces: ScaledForces::NONE, exact }
 }
 
 /// A law of `count` straight pieces, the knots spaced by the factor `ratio`, close to f = x^1.2 beyond x = 1.7.
@@ -69,11 +69,11 @@ fn many_knots(law: &Law, count: i32, ratio: f64) -> Law {
 }
 
 /// All hard cases. Each names the source of its restitution in its description.
-pub fn hard_cases() -> Vec<Problem> {
+pub fn hard_cases() -> Vec<BenchProblem> {
     let (steel, _) = STEEL.law();
     let (hertz, stiffest, as_stiff) = (Law::hertz(), stiff_law(1e12), stiff_law(1.0));
     let (many, close) = (many_knots(&steel, 200, 1.02), many_knots(&steel, 5, 1.0 + 1e-12));
-    let mut cases: Vec<Problem> = [
+    let mut cases: Vec<BenchProblem> = [
         ("v = v_Y (1 - 1e-3)", &steel, 1.0 - 1e-3),
         ("v = v_Y (1 - 1e-6)", &steel, 1.0 - 1e-6),
         ("v = v_Y (1 - 1e-9)", &steel, 1.0 - 1e-9),
@@ -123,7 +123,7 @@ pub fn hard_cases() -> Vec<Problem> {
     // in SI units other programs fail on these three; the restitution of the first is an independent 30-digit value
     let first = closed_form_problem("P4a: 1 um at 10 m/s", kinked_law(), steel_speed_ratio(10.0));
     let exact = ScaledResult { restitution: 0.301_220_801_577_325_58, ..first.exact };
-    cases.push(Problem { description: PRINTED, exact, ..first });
+    cases.push(BenchProblem { description: PRINTED, exact, ..first });
     cases.push(closed_form_problem("P4b: 1 m at 1e-6 m/s", kinked_law(), steel_speed_ratio(1e-6)));
     cases.push(closed_form_problem("P4c: 1 nm at 100 m/s, Hertz alone", hertz, steel_speed_ratio(100.0)));
     cases

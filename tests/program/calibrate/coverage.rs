@@ -3,7 +3,7 @@
 use crate::common::prelude::*;
 use plm_impact::calibrate::data::{MeasuredValue, MeasurementData, MeasurementRow};
 use plm_impact::calibrate::fit::NoiseModel;
-use plm_impact::calibrate::problem::Problem;
+use plm_impact::calibrate::problem::CalibrationProblem;
 use plm_impact::numerics::functions::normal_quantile;
 use plm_impact::scenario::input::measured::MeasuredQuantity;
 use plm_impact::scenario::plan::free_key::FreeKey;
@@ -89,7 +89,7 @@ fn coverage_shares(made: SyntheticData) -> Vec<[f64; 2]> {
         let share = if is_estimated { 1.0 } else { sd };
         let noise_model = NoiseModel { instrument: vec![0.0; exact.len()], share, is_estimated };
         let deviations = noise_model.deviations(&data.error_scales());
-        let fit = Fit::new(Problem::new(&scene, &free, &data, deviations, is_robust), &noise_model).unwrap();
+        let fit = Fit::new(CalibrationProblem::new(&scene, &free, &data, deviations, is_robust), &noise_model).unwrap();
         let of_key = |key: usize| {
             fit.intervals(key).map(|[low, high]| {
                 let [low, high] = [

@@ -28,7 +28,7 @@ fn references_with_30_digits_give_their_strength() {
         for row in &chosen {
             assert_eq!(row.number("half_space.yield_strength"), 345e6);
             let [speed, thickness] = ["impact.speed", "half_space.thickness"].map(|key| row.number(key));
-            writeln!(data, "{speed},{thickness},{}", row.text(quantity)).unwrap();
+            writeln!(data, "{speed},{thickness},{}", row.cell_text(quantity)).unwrap();
         }
         let (_, summary) = run_calibration(&text, &data, &[], 0);
         assert_close(&summary["keys"][0]["estimate"], 345e6, 1e-6);

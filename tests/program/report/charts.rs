@@ -239,7 +239,7 @@ fn long_titles_and_notes_stay_on_sheet() {
     let value = |column: usize, row: usize| [0.0, 0.1, 0.2, 123_456.0][2 * row + column];
     assert_fits(&heatmap(LONG, [linear(), linear()], cells, value, linear()), "map");
     let panels = vec![Panel::new(linear(), curves(2, LONG)), Panel::new(Axis::linear("y", ""), curves(2, LONG))];
-    assert_fits(&Chart::stacked(LONG, linear(), panels), "boxes");
+    assert_fits(&Chart::with_panels(LONG, linear(), panels), "boxes");
 }
 
 #[test]

@@ -26,7 +26,7 @@ fn value(name: &str, property: Property) -> f64 {
 
 #[test]
 fn every_material_works_as_ball_and_plate() {
-    for entry in all() {
+    for entry in all_materials() {
         let name = &entry.name;
         for (sphere, half_space) in [(name.as_str(), "steel-s355"), ("alumina-99.5", name.as_str())] {
             let scene = input_of(&pair(sphere, half_space));

@@ -25,7 +25,7 @@ fn quantity(property: Property) -> &'static Quantity {
 #[test]
 fn values_are_valid_and_have_two_sources() {
     let mut names = BTreeSet::new();
-    for entry in all() {
+    for entry in all_materials() {
         let name = &entry.name;
         assert!(names.insert(name), "{name} is there twice");
         assert!(name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || "-.".contains(c)), "{name}");
@@ -88,7 +88,7 @@ fn tension_data_and_hardness_give_equal_strength() {
 
 /// The flow stress of the hardness of a metal.
 fn flow_stress(name: &str) -> f64 {
-    let metal = all().iter().find(|entry| entry.name == name).unwrap();
+    let metal = all_materials().iter().find(|entry| entry.name == name).unwrap();
     metal.flow_stress(value(name, Property::Hardness))
 }
 
@@ -107,7 +107,7 @@ fn named_power_law_keeps_proof_stress() {
         ("aluminium-2024-t3", [290e6, 345e6]),
     ];
     let mut compared = 0;
-    for entry in all() {
+    for entry in all_materials() {
         let Some(exponent) = entry.get(Property::HardeningExponent) else { continue };
         let [hardness, modulus] =
             [Property::Hardness, Property::YoungsModulus].map(|property| value(&entry.name, property));
@@ -170,7 +170,7 @@ fn materials(arguments: &[&str]) -> String {
 #[test]
 fn the_command_lists_all_and_prints_one() {
     let list = materials(&[]);
-    for entry in all() {
+    for entry in all_materials() {
         assert!(
             list.lines().any(|line| line.starts_with(&entry.name) && line.ends_with(&entry.title)),
             "{}",
@@ -206,7 +206,7 @@ fn json_of_materials_has_si_values_and_ranges() {
     let desk = Sandbox::with("");
     let json = |arguments: &[&str]| -> Value { serde_json::from_str(&desk.run_expecting(arguments, 0).0).unwrap() };
     let whole = json(&["materials", "--json"]);
-    assert_eq!(whole.as_array().unwrap().len(), all().len());
+    assert_eq!(whole.as_array().unwrap().len(), all_materials().len());
     for property in whole.as_array().unwrap().iter().flat_map(|one| one["properties"].as_object().unwrap().values()) {
         let [low, value, high] = ["low", "value", "high"].map(|name| property[name].as_f64().unwrap());
         assert!(low <= value && value <= high && property["sources"].is_array(), "{property}");

@@ -68,7 +68,8 @@ fn long_axis_has_even_counted_curves() {
         assert!(has(&drawn, name), "{name}: {:?}", drawn.texts());
     }
     assert!(!has(&drawn, "2 m"));
-    let colors: Vec<String> = (0..13).map(|number| format!("{:?}", chart::Style::new(number).solid())).collect();
+    let colors: Vec<String> =
+        (0..13).map(|number| format!("{:?}", chart::Style::new(number).with_solid_line())).collect();
     for (number, one) in colors.iter().enumerate() {
         let color = one.split("color").nth(1).unwrap().split("width").next().unwrap();
         assert!(!colors[..number].iter().any(|other| other.contains(color)), "{number}: {color}");

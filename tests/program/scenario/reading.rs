@@ -306,7 +306,7 @@ fn shipped_scenarios_have_a_comment_and_no_warning() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "toml") {
             let scenario = Scenario::load(&path, &[]).unwrap();
-            assert!(scenario.document.text().starts_with("# "), "{}", path.display());
+            assert!(scenario.document.original_text().starts_with("# "), "{}", path.display());
             let warnings = plm_impact::report::run::check(&scenario).unwrap().warnings;
             // a table may have rows beyond the range of the law
             let is_table = matches!(scenario.kind().unwrap(), Kind::Sweep | Kind::MonteCarlo);

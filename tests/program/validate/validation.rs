@@ -263,7 +263,7 @@ fn restitution_bias_of_common_strengths_is_as_documented() {
             let (with_tensile, with_proof) = (bias(hardness, tensile), bias(hardness, 0.65 * tensile));
             assert!((-0.14..-0.04).contains(&with_tensile), "{} {tensile}: {with_tensile}", steel.text("steel"));
             if tensile < 900.0 {
-                assert!((-0.33..-0.26).contains(&with_proof), "{} {tensile}: {with_proof}", steel.text("steel"));
+                assert!((-0.33..-0.26).contains(&with_proof), "{} {tensile}: {with_proof}", steel.cell_text("steel"));
             }
         }
     }

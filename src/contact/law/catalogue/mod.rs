@@ -142,10 +142,11 @@ pub struct Combined {
 
 impl LawChoice {
     /// The law whose loading, and the law whose unloading this one has.
-    fn halves(&self) -> [&Self; 2] {
+    fn loading_and_unloading(&self) -> [&Self; 2] {
         match self {
             Self::Combined(Combined { loading, unloading }) => {
-                let ([loading, _], [_, unloading]) = (loading.halves(), unloading.halves());
+                let ([loading, _], [_, unloading]) =
+                    (loading.loading_and_unloading(), unloading.loading_and_unloading());
                 [loading, unloading]
             }
             law => [law; 2],
@@ -168,7 +169,8 @@ impl LawChoice {
 impl ContactLaw for Combined {
     /// The PLM with its own unloading is the PLM.
     fn law(&self, bodies: &YieldingPair) -> Result<Law, LawError> {
-        let ([loading, _], [_, unloading]) = (self.loading.halves(), self.unloading.halves());
+        let ([loading, _], [_, unloading]) =
+            (self.loading.loading_and_unloading(), self.unloading.loading_and_unloading());
         if let LawChoice::Plm(plm) = unloading {
             plm.check(bodies)?;
         }
@@ -177,7 +179,7 @@ impl ContactLaw for Combined {
             return Ok(loading.unloading_by(unloading, bodies));
         }
         let LawParts { loading, recovery } = self.build_parts(bodies);
-        Ok(Law::published(loading?, recovery))
+        Ok(Law::from_published(loading?, recovery))
     }
 
     fn build_parts(&self, bodies: &YieldingPair) -> LawParts {

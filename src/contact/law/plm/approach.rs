@@ -82,7 +82,7 @@ impl ApproachPolyline {
 
     /// ε on the line at force f ≥ 1.
     #[inline]
-    pub fn at(&self, force: f64) -> f64 {
+    pub fn approach(&self, force: f64) -> f64 {
         // few pieces: a scan from the end beats a search
         let piece = self.pieces.iter().rev().find(|piece| piece.force <= force).or(self.pieces.first());
         piece.map_or(force, |piece| piece.approach(force))

@@ -60,7 +60,8 @@ impl Hardening {
         if s <= 0.0 {
             return 1.0;
         }
-        0.5 * (self.flow_curve.at(STRAIN_FACTORS[0] * s) + self.flow_curve.at(STRAIN_FACTORS[1] * s))
+        0.5 * (self.flow_curve.relative_stress(STRAIN_FACTORS[0] * s)
+            + self.flow_curve.relative_stress(STRAIN_FACTORS[1] * s))
     }
 
     /// The largest plastic strain for which loading to x needs the flow curve, and the largest strain of the curve. `None` if the
@@ -91,7 +92,7 @@ impl Hardening {
 
     /// Hertz up to the first knot of the perfectly plastic curve, then straight through points at most 10 % apart: its
     /// knots, points between them in equal ratios, and points beyond the last knot until δ = R.
-    pub(super) fn loading(&self, perfect: &LoadingCurve) -> LoadingCurve {
+    pub(super) fn loading_curve(&self, perfect: &LoadingCurve) -> LoadingCurve {
         let knots = perfect.pieces().get(1..).unwrap_or_default();
         let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return perfect.clone() };
         let first = first.start;

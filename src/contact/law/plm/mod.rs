@@ -135,9 +135,9 @@ impl Plm {
         let flows = bodies.yield_point.yield_partition;
         let Some(flow) = flows.for_softer([sphere, half_space]) else { return (perfect, rule) };
         let slow = bodies.yield_point.strength / self.rate_factor;
-        let rise = flow.normalised(slow, bodies.modulus());
+        let rise = flow.normalise(slow, bodies.modulus());
         let hardening = Hardening::new(rise, ratio, self.coefficients.approach_slopes(pair));
-        (Arc::new(hardening.loading(&perfect)), PlmUnloadingRule { hardening: Some(hardening), ..rule })
+        (Arc::new(hardening.loading_curve(&perfect)), PlmUnloadingRule { hardening: Some(hardening), ..rule })
     }
 
     /// The halves with the flats of balls that flow.
@@ -168,7 +168,7 @@ impl ContactLaw for Plm {
         let loading = Loading { curve, limits, contact_radius: Arc::new(radius) };
         LawParts {
             loading: self.check(bodies).map(|()| loading),
-            recovery: Arc::new(move |at: LoadedState| rule.recovered(&at)),
+            recovery: Arc::new(move |at: LoadedState| rule.recovery(&at)),
         }
     }
 

@@ -42,7 +42,7 @@ impl PlmUnloadingRule {
         match (&self.flattening, &self.hardening) {
             _ if x <= 1.0 => x,
             (None, _) => self.approach_without_flat(x, force),
-            (Some(flattening), None) => (self.approach.at(force) * flattening.recovery_factor(x, 1.0)).min(x),
+            (Some(flattening), None) => (self.approach.approach(force) * flattening.recovery_factor(x, 1.0)).min(x),
             (Some(flattening), Some(hardening)) => {
                 let share = flattening.recovery_factor(x, hardening.representative_strength(x));
                 hardening.elastic_approach(x, force, share)
@@ -54,7 +54,7 @@ impl PlmUnloadingRule {
     #[inline(always)]
     pub(super) fn approach_without_flat(&self, x: f64, force: f64) -> f64 {
         match &self.hardening {
-            None => self.approach.at(force).min(x),
+            None => self.approach.approach(force).min(x),
             Some(hardening) => hardening.elastic_approach(x, force, 1.0),
         }
     }
@@ -98,7 +98,7 @@ impl PlmUnloadingRule {
 
     /// The elastic approach and the exponent at a peak on the loading curve of another law. Its force need not be that of this
     /// rule, so A is this force over the elastic approach that belongs to it.
-    pub(super) fn recovered(&self, at: &LoadedState) -> Recovery {
+    pub(super) fn recovery(&self, at: &LoadedState) -> Recovery {
         let of_plm = self.state(at.indentation, at.force);
         let elastic_approach = at.elastic_approach.unwrap_or(of_plm.elastic_approach);
         let equivalent = || match at.elastic_approach {

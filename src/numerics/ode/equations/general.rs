@@ -15,7 +15,7 @@ impl NystromEquation for PolynomialEquation {
     const USES_PLAIN_VARIABLES: bool = true;
     const IS_SMOOTH_AT_ZERO: bool = false;
     #[inline(always)]
-    fn scaled(self, factor: f64) -> Self {
+    fn scale_by(self, factor: f64) -> Self {
         Self { c: self.c * factor, ..self }
     }
     #[inline(always)]
@@ -44,7 +44,7 @@ pub struct SqrtBranchEquation {
 impl NystromEquation for SqrtBranchEquation {
     const USES_PLAIN_VARIABLES: bool = false;
     const IS_SMOOTH_AT_ZERO: bool = true;
-    fn scaled(self, factor: f64) -> Self {
+    fn scale_by(self, factor: f64) -> Self {
         Self { c: self.c * factor, ..self }
     }
     fn g(self, y: f64) -> f64 {

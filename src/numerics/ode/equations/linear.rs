@@ -21,7 +21,7 @@ impl<const PULLED: bool> NystromEquation for LinearEquation<PULLED> {
     const USES_PLAIN_VARIABLES: bool = true;
     const IS_SMOOTH_AT_ZERO: bool = true;
     #[inline(always)]
-    fn scaled(self, factor: f64) -> Self {
+    fn scale_by(self, factor: f64) -> Self {
         Self { a: self.a * factor, b: self.b * factor }
     }
     #[inline(always)]

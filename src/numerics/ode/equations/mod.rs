@@ -33,7 +33,7 @@ pub(super) trait NystromEquation: Copy + Send + Sync + 'static {
     const USES_PLAIN_VARIABLES: bool;
     /// True if g is a polynomial, or as smooth as one, also at y = 0.
     const IS_SMOOTH_AT_ZERO: bool;
-    fn scaled(self, factor: f64) -> Self;
+    fn scale_by(self, factor: f64) -> Self;
     /// g(y).
     fn g(self, y: f64) -> f64;
     /// (g', g'') at y; g' ≤ 0.

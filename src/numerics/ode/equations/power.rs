@@ -32,7 +32,7 @@ impl<const HERTZ: bool, const PULLED: bool> NystromEquation for PowerEquation<HE
     const USES_PLAIN_VARIABLES: bool = false;
     const IS_SMOOTH_AT_ZERO: bool = HERTZ;
     #[inline(always)]
-    fn scaled(self, factor: f64) -> Self {
+    fn scale_by(self, factor: f64) -> Self {
         Self { c: self.c * factor, pull: self.pull * factor, ..self }
     }
     #[inline(always)]

@@ -50,7 +50,7 @@ const BY_HARDNESS: f64 = 0.03;
 /// The errors of e over the load cycles of one class of bodies. An error is e of the law over e of the finite elements, minus 1.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct LawError {
+pub struct LawErrorRow {
     pub class: BodyClass,
     /// The name of the exponent of unloading.
     pub exponent: String,
@@ -66,8 +66,8 @@ pub struct LawError {
 }
 
 /// The table, in the order of the file.
-pub fn table() -> &'static [LawError] {
-    static TABLE: LazyLock<Vec<LawError>> = LazyLock::new(|| {
+pub fn law_error_table() -> &'static [LawErrorRow] {
+    static TABLE: LazyLock<Vec<LawErrorRow>> = LazyLock::new(|| {
         let mut reader =
             csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(include_str!("law_errors.csv").as_bytes());
         reader.deserialize().filter_map(Result::ok).collect()
@@ -88,7 +88,7 @@ pub fn has_law_error(law: &LawChoice) -> bool {
 }
 
 /// The errors of e by a law on these bodies at this contact radius over the radius of the sphere; `None` where they are not known.
-pub fn law_error(law: &LawChoice, contact: &Contact, radius_ratio: f64) -> Option<&'static LawError> {
+pub fn law_error(law: &LawChoice, contact: &Contact, radius_ratio: f64) -> Option<&'static LawErrorRow> {
     let exponent = exponent_name(law)?;
     let flow = contact.pair().yield_point?.yield_partition;
     let yields = flow.sphere_share > 0.0;
@@ -100,7 +100,7 @@ pub fn law_error(law: &LawChoice, contact: &Contact, radius_ratio: f64) -> Optio
         (false, false) => BodyClass::PerfectlyPlastic,
     };
     let find = |class: BodyClass| {
-        let mut rows = table().iter().filter(move |row| row.class == class && row.exponent == exponent);
+        let mut rows = law_error_table().iter().filter(move |row| row.class == class && row.exponent == exponent);
         rows.find(|row| radius_ratio <= row.max_radius_ratio)
     };
     find(class).or_else(|| find(BodyClass::All))
@@ -142,6 +142,6 @@ pub(super) fn poissons_ratio_part(input: &Input, contact: &Contact) -> Option<Ve
 
 /// The mean error of e with the exponent of the paper on a half-space that does not harden, and its quantiles: the bias of the
 /// default.
-pub fn paper_exponent_error() -> Option<&'static LawError> {
-    table().iter().find(|row| row.class == BodyClass::PerfectlyPlastic && row.exponent == EXPONENTS[1].1)
+pub fn paper_exponent_error() -> Option<&'static LawErrorRow> {
+    law_error_table().iter().find(|row| row.class == BodyClass::PerfectlyPlastic && row.exponent == EXPONENTS[1].1)
 }

@@ -61,7 +61,7 @@ impl Uncertainty {
 
     /// Visits the parts of the interval of an impact with this result: name, kind, and both ends relative to e, minus 1. `None` without
     /// a dent, without a rebound, and if a warning reports an error of e of unknown size.
-    fn visit(
+    fn visit_parts(
         &self,
         contact: &Contact,
         approach: Approach,
@@ -103,9 +103,9 @@ impl Uncertainty {
     }
 
     /// Both ends of e in an impact with this result, for a table.
-    pub fn ends(&self, contact: &Contact, approach: Approach, row: &ImpactRow) -> Option<[f64; 2]> {
+    pub fn interval_ends(&self, contact: &Contact, approach: Approach, row: &ImpactRow) -> Option<[f64; 2]> {
         let (mut shift, mut squares) = ([1.0; 2], [0.0; 2]);
-        self.visit(contact, approach, row, |_, kind, ends| match kind {
+        self.visit_parts(contact, approach, row, |_, kind, ends| match kind {
             PartKind::Shift => shift.iter_mut().zip(ends).for_each(|(shift, end)| *shift *= 1.0 + end),
             PartKind::Width => squares.iter_mut().zip(ends).for_each(|(sum, end)| *sum += powi(end, 2)),
             PartKind::NotIncluded => {}
@@ -117,9 +117,9 @@ impl Uncertainty {
 
     /// The interval of an impact with this result, in which the two parts of the law are combined.
     fn interval(&self, contact: &Contact, approach: Approach, row: &ImpactRow) -> Option<RestitutionInterval> {
-        let [low, high] = self.ends(contact, approach, row)?;
+        let [low, high] = self.interval_ends(contact, approach, row)?;
         let mut parts = Vec::new();
-        self.visit(contact, approach, row, |name, kind, [low, high]| {
+        self.visit_parts(contact, approach, row, |name, kind, [low, high]| {
             parts.push(IntervalPart { name: name.to_owned(), kind, low, high });
         })?;
         Some(RestitutionInterval { low, high, parts })

@@ -50,7 +50,7 @@ impl HardnessRanges {
     }
 
     /// The ranges of another input. A body whose strength is the same keeps its range.
-    pub fn renewed(self, input: &Input, law: &LawChoice) -> Self {
+    pub fn with_input(self, input: &Input, law: &LawChoice) -> Self {
         let is_same = |body: Body| body.select(self.bodies).origin == origin(input, law, body);
         if Body::ALL.into_iter().all(is_same) { self } else { Self::from_earlier(input, law, Some(self.bodies)) }
     }
@@ -201,7 +201,7 @@ pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied:
     if is_no_metal(input, body) {
         notes.push(format!(
             "e has no interval: the law was made for metals, and no metal has a Young's modulus as low as {}.youngs_modulus = {}.",
-            body.table(),
+            body.table_name(),
             format_input(input.material(body).youngs_modulus, Dimension::Pressure)
         ));
     } else if let Some(strength) = input.number(body_key!(body, "yield_strength")).filter(|_| is_vague) {
@@ -213,7 +213,7 @@ pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied:
         };
         notes.push(format!(
             "{WHICH_STRENGTH} e holds if {key}{value} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, e is up to 37 % too low. Set {}.strength_kind to \"flow\" or \"proof\": scenarios/README.md#which-strength",
-            body.table()
+            body.table_name()
         ));
     }
     let is_of_paper = matches!(law, LawChoice::Plm(law) if law.exponent == UnloadingExponent::Paper);

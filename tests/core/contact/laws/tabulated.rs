@@ -11,7 +11,7 @@ use crate::common::reference::{Row, rows};
 /// The rows of one table.
 fn table(name: &str) -> impl Iterator<Item = Row> {
     let all = rows(include_str!("../../../reference/laws.csv")).into_iter();
-    let rows: Vec<Row> = all.filter(|row| row.text("table") == name).collect();
+    let rows: Vec<Row> = all.filter(|row| row.cell_text("table") == name).collect();
     assert!(rows.len() >= 12, "{name}: {} rows", rows.len());
     rows.into_iter()
 }
@@ -29,7 +29,7 @@ fn with_factor(name: &str) -> LawChoice {
 
 fn assert_near(row: &Row, [force, dent, e]: [f64; 3]) {
     // the table has the work of the printed force of Kogut and Etsion, whose pieces do not meet
-    let of_work = if row.text("law") == "kogut_etsion" { 1e-3 } else { 5.1e-4 };
+    let of_work = if row.cell_text("law") == "kogut_etsion" { 1e-3 } else { 5.1e-4 };
     for (name, got, allowed) in [("force", force, 0.051), ("residual", dent, 5.1e-4), ("restitution", e, of_work)] {
         if let Some(want) = row.optional_number(name) {
             assert!((got - want).abs() < allowed, "{row:?}: {name} {got}");
@@ -42,7 +42,7 @@ fn whole_laws_match_tabulated_values() {
     let bodies = case_3();
     for row in table("whole") {
         // ω_c of Kogut and Etsion differs by 0.3 % from δ_Y; Stronge has the factor 1.5 ϑ = 1.65
-        let (law, unit) = match row.text("law") {
+        let (law, unit) = match row.cell_text("law") {
             "kogut_etsion" => {
                 (LawChoice::from_name("kogut_etsion"), bodies.yield_indentation_ratio(2.8 * (0.454 + 0.41 * 0.3)))
             }
@@ -60,15 +60,15 @@ fn whole_laws_match_tabulated_values() {
 #[test]
 fn other_loadings_and_radii_match_the_table() {
     for row in table("loading") {
-        let force = law_of(with_factor(row.text("law")).as_contact_law()).loading.force(row.number("depth"));
+        let force = law_of(with_factor(row.cell_text("law")).as_contact_law()).loading.force(row.number("depth"));
         // Kogut and Komvopoulos are printed with three digits, the second with one unit too many in the last (34.25)
-        let allowed = if row.text("law") == "kogut_komvopoulos" { 2e-3 * force } else { 0.051 };
+        let allowed = if row.cell_text("law") == "kogut_komvopoulos" { 2e-3 * force } else { 0.051 };
         assert!((force - row.number("force")).abs() < allowed, "{row:?}: {force}");
     }
     for row in table("radius") {
-        let law = law_of(with_factor(row.text("law")).as_contact_law());
+        let law = law_of(with_factor(row.cell_text("law")).as_contact_law());
         let radius = law.contact_radius(&law.loaded_state(row.number("depth"))) * case_3().yield_radius_ratio();
-        let allowed = match row.text("law") {
+        let allowed = match row.cell_text("law") {
             "jackson_green" => 5.1e-5,
             "kogut_etsion" => 1.1e-4,
             _ => 0.02 * radius,
@@ -108,7 +108,7 @@ fn tabulated_fully_plastic_dents_use_half_the_pressure() {
 fn unloading_from_one_state_gives_tabulated_dents() {
     let (bodies, loading) = (case_3(), law_of(with_factor("jackson_green").as_contact_law()));
     for row in table("from jackson_green") {
-        let choice = match row.text("law") {
+        let choice = match row.cell_text("law") {
             // the table takes the yield indentation of this law as δ_Y of C_ν
             "stronge" => LawChoice::Stronge(Stronge {
                 yield_pressure_ratio: bodies.yield_point.factor / 1.5,

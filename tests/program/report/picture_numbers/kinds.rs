@@ -25,7 +25,7 @@ fn kinds(folder: &Path) -> BTreeSet<String> {
             if let Some((_, rest)) = line.split_once("fn ") {
                 function = rest.split(['(', '<']).next().unwrap_or_default();
             }
-            if line.contains("Chart::new(") || line.contains("Chart::stacked(") {
+            if line.contains("Chart::new(") || line.contains("Chart::with_panels(") {
                 kinds.insert(format!("{file}::{function}"));
             }
         }

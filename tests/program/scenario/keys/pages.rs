@@ -33,7 +33,7 @@ pub fn renewed(page: &str) -> (String, usize) {
 }
 
 fn units_table() -> String {
-    markdown_table(&units::rows()) + "\n"
+    markdown_table(&units::unit_rows()) + "\n"
 }
 
 fn of_materials() -> String {
