@@ -158,7 +158,7 @@ pub mod units;
 #[doc(hidden)]
 pub mod validate;
 
-pub use crate::contact::pair::{HalfSpace, Material, Sphere};
+pub use crate::contact::body::{HalfSpace, Material, Sphere};
 pub use contact::law::{self as laws, LawChoice, Plm};
 pub use error::Error;
 pub use impact::{Approach, Contact, Impact, ImpactError, Solver};

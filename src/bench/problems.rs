@@ -7,9 +7,9 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
+use crate::contact::body::{HalfSpace, Material, Sphere};
 use crate::contact::law::published::{Loading, hertz_unloading};
 use crate::contact::law::{ContactLaw, Law, Plm};
-use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::contact::strength::flow_curve::FlowCurve;
 use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::impact::solve::closed_form;

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::data::{MeasuredValue, MeasurementData, MeasurementRow};
-use crate::contact::pair::Sphere;
+use crate::contact::body::Sphere;
 use crate::files::Progress;
 use crate::impact::ImpactError;
 use crate::impact::flight::free_flight::FreeFlight;

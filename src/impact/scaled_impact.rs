@@ -8,8 +8,8 @@ use super::problem::forces::ScaledForces;
 use super::problem::plate::ScaledPlate;
 use super::problem::scales::{FORCE_FACTOR, Scales};
 use super::solve::undamped_contact_time;
+use crate::contact::body::finite_positive;
 use crate::contact::law::{Law, LoadingHistory, Surface};
-use crate::contact::pair::finite_positive;
 use crate::numerics::ode::DampingCoefficients;
 
 /// The input of one impact.

@@ -2,8 +2,8 @@
 
 use serde::Deserialize;
 
+use crate::contact::body::Material;
 use crate::contact::law::plm::hardness_test;
-use crate::contact::pair::Material;
 use crate::contact::strength::flow_curve::FlowCurve;
 use crate::strings::names::named_enum;
 use crate::units::Dimension;

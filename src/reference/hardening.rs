@@ -1,8 +1,9 @@
 //! A half-space that hardens: the materials of an unloading by finite elements.
 
 use super::ReferenceRow;
+use crate::contact::body::{HalfSpace, Material, Sphere};
 use crate::contact::law::YieldingPair;
-use crate::contact::pair::{HalfSpace, Material, Pair, PairError, Sphere};
+use crate::contact::pair::{Pair, PairError};
 use crate::contact::strength::flow_curve::{FlowCurve, FlowPoint};
 
 impl ReferenceRow {

@@ -1,7 +1,8 @@
 //! The five loading curves of the quasi-static finite elements.
 
 use super::{ReferenceRow, ReferenceTable, damaged_table, quasi_static};
-use crate::contact::pair::{Pair, Sphere};
+use crate::contact::body::Sphere;
+use crate::contact::pair::Pair;
 use crate::error::Error;
 
 /// A loading curve and its two bodies.

@@ -3,8 +3,8 @@
 use std::sync::LazyLock;
 
 use super::{ReferenceRow, UNLOADINGS};
+use crate::contact::body::{HalfSpace, Material, Sphere};
 use crate::contact::law::YieldingPair;
-use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::error::Error;
 
 /// Xie et al. (2024), Table 1: E_s, E_h, σ_Y \[Pa\] of every case; ν is 0.3 in all. The sphere of case 5 is as good as rigid.

@@ -2,9 +2,10 @@
 //! their Table 1, with R = 35 mm, at three depths.
 
 use super::cases::{Cycle, MaterialCase};
+use crate::contact::body::{HalfSpace, Material, Sphere};
 use crate::contact::law::published::LoadedState;
 use crate::contact::law::{LawChoice, Unloading, YieldingPair};
-use crate::contact::pair::{HalfSpace, Material, Pair, Sphere};
+use crate::contact::pair::Pair;
 use crate::error::Error;
 use crate::report::chart::{Axis, Chart, Series, Style};
 use crate::units::{Dimension, format_four_digits, format_result};

@@ -5,8 +5,8 @@
 
 use super::comparison::{EXPONENTS, deviation, rms};
 use super::dynamic::dynamic_scenarios;
+use crate::contact::body::{HalfSpace, Sphere};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
-use crate::contact::pair::{HalfSpace, Sphere};
 use crate::error::Error;
 use crate::impact::{Contact, ImpactRow, Solver};
 use crate::reference::quasi_static;

@@ -4,9 +4,9 @@
 //! other masses, speeds and tips, is predicted with the exponent "pressure-shape" and elastic waves.
 
 use super::comparison::{Comparison, Group};
+use crate::contact::body::{HalfSpace, Material, Sphere, sphere_volume};
 use crate::contact::law::plm::hardness_test::strength_of_hardness;
 use crate::contact::law::{Plm, PlmCoefficients, UnloadingExponent};
-use crate::contact::pair::{HalfSpace, Material, Sphere, sphere_volume};
 use crate::contact::strength::hardness::HardnessScale;
 use crate::error::Error;
 use crate::impact::Contact;

@@ -2,8 +2,8 @@
 //! is fitted to them. Measured oblique rebounds from a dent are not public.
 
 use super::comparison::{Comparison, Group};
+use crate::contact::body::{HalfSpace, Material, Sphere};
 use crate::contact::law::{Plm, PlmCoefficients};
-use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::error::Error;
 use crate::impact::{Approach, Contact, Incidence, Rebound, Solver};
 use crate::numerics::functions::atan;

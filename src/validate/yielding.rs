@@ -2,8 +2,9 @@
 
 use super::comparison::{self, ComparedQuantity, Comparison, Group};
 use super::hardening::{LoadCycle, load_cycle_at_work};
+use crate::contact::body::{HalfSpace, Material, Sphere, Support};
 use crate::contact::law::{Law, Plm, PlmCoefficients, UnloadingExponent, YieldingPair};
-use crate::contact::pair::{HalfSpace, Material, Pair, PairError, Sphere, Support};
+use crate::contact::pair::{Pair, PairError};
 use crate::error::Error;
 use crate::impact::Contact;
 use crate::reference::{ReferenceRow, YIELDING};

@@ -10,8 +10,8 @@ pub mod reference;
 use std::cell::Cell;
 use std::ops::Range;
 
+use plm_impact::contact::body::{HalfSpace, Material, Sphere};
 use plm_impact::contact::law::{ContactLaw, Law, Plm, PlmCoefficients, Surface, UnloadingExponent};
-use plm_impact::contact::pair::{HalfSpace, Material, Sphere};
 use plm_impact::impact::solve::closed_form;
 use plm_impact::impact::{Contact, Impact, ImpactError, Method, ScaledForces, ScaledResult, Solver, Spot};
 use plm_impact::numerics::ode::{IntegrationError, SolverStats};

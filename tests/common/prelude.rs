@@ -1,5 +1,6 @@
 //! Most tests use these names.
 
+pub use plm_impact::contact::body::*;
 pub use plm_impact::contact::law::*;
 pub use plm_impact::contact::pair::*;
 pub use plm_impact::impact::*;

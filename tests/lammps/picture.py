@@ -39,7 +39,7 @@ def draw(plugin: Path) -> None:
     left.legend(frameon=False)
     left.grid(alpha=0.3)
     figure.savefig(ROOT / "plots/lammps/rain.png")
-    # tests/program/scenario/other_pictures.rs compares these numbers with those of the program
+    # tests/program/report/external_pictures.rs compares these numbers with those of the program
     lines = [f"{speed:g},{float(closed_form().restitution(speed)):.6g}" for speed in (1.0, 2.0, 3.0, 4.0)]
     noted = ROOT / "tests/reference/rain_picture.csv"
     noted.write_text("\n".join(["speed_m_per_s,restitution", *lines, ""]))

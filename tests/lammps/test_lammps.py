@@ -441,7 +441,7 @@ def test_friction_is_the_spring_of_lammps(plugin: Path, tmp_path: Path) -> None:
     assert ours[0, 0] == pytest.approx(1 - (1 - 0.5678199098) / 3.5, abs=1e-3)
 
 
-# with UPDATE=1 alone, so that a usual run has no skipped test; tests/program/scenario/other_pictures.rs says when the picture is stale
+# with UPDATE=1 alone, so that a usual run has no skipped test; tests/program/report/external_pictures.rs says when the picture is stale
 if os.environ.get("UPDATE") == "1":
 
     def test_the_picture_is_drawn_anew(plugin: Path) -> None:

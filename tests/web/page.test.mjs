@@ -22,7 +22,7 @@ test("the first page shows the first scenario of `init`", async () => {
   for (const name of ["force-indentation", "history", "restitution"]) assert.match(await picture(name), /<polyline/);
 });
 
-// tests/program/scenario/other_pictures.rs compares the noted numbers with those of the program
+// tests/program/report/external_pictures.rs compares the noted numbers with those of the program
 test("UPDATE=1 draws src/interfaces/web/page.png and notes its numbers", { skip: process.env.UPDATE !== "1" }, async () => {
   await page.look(1300, 880, false);
   await open();

@@ -20,7 +20,7 @@
 
 use std::f64::consts::PI;
 
-use crate::contact::pair::sphere_volume;
+use crate::contact::body::sphere_volume;
 use crate::numerics::functions::{atan, exp, exp_m1, ln_1p, pow, sin_cos, tanh};
 use crate::numerics::quadrature::tanh_sinh;
 use crate::numerics::root::newton_bisection;

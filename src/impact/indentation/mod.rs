@@ -12,8 +12,9 @@ mod load_step;
 use thiserror::Error;
 
 use super::problem::scales::Units;
+use crate::contact::body::{HalfSpace, OutOfFloatRange, Sphere, finite_positive};
 use crate::contact::law::{Branch, ContactLaw, ContactState, Law, LawError, LoadingHistory, Surface};
-use crate::contact::pair::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere, finite_positive};
+use crate::contact::pair::{Pair, PairError};
 use crate::impact::{
     Warning, WarningKind, dent_warning, exponent_warning, flow_warnings, ignored_strength, peak_warnings,
     yielding_warning,

@@ -3,8 +3,9 @@
 use thiserror::Error;
 
 use super::plate::PlateError;
+use crate::contact::body::{InvalidInput, OutOfFloatRange};
 use crate::contact::law::LawError;
-use crate::contact::pair::{HollowTooSmall, InvalidInput, OutOfFloatRange, PairError};
+use crate::contact::pair::{HollowTooSmall, PairError};
 use crate::error::{Error as Failure, ErrorKind};
 use crate::numerics::ode::IntegrationError;
 use crate::units::{Dimension, format_input};

@@ -17,9 +17,9 @@
 
 use super::plate::Plate;
 use super::scales::FORCE_FACTOR;
+use crate::contact::body::InvalidInput;
 use crate::contact::law::unloading::OLD_PEAK_ROUNDING;
 use crate::contact::law::{Surface, Unloading};
-use crate::contact::pair::InvalidInput;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::numerics::ode::{DampingCoefficients, RestCriterion};
 

@@ -27,8 +27,8 @@
 use thiserror::Error;
 
 use super::scales::Scales;
+use crate::contact::body::HalfSpace;
 use crate::contact::law::Law;
-use crate::contact::pair::HalfSpace;
 use crate::numerics::functions::{pow, powi};
 use crate::strings::names::named_enum;
 

@@ -6,7 +6,8 @@
 
 use std::ops::Deref;
 
-use crate::contact::pair::{OutOfFloatRange, Pair, finite_positive};
+use crate::contact::body::{OutOfFloatRange, finite_positive};
+use crate::contact::pair::Pair;
 use crate::numerics::functions::pow;
 use crate::numerics::power::power_turning_distance;
 

@@ -23,8 +23,9 @@ use std::sync::Arc;
 use super::contact::{Contact, RateDependence, StrainRateResult};
 use super::error::ImpactError;
 use super::scales::Scales;
+use crate::contact::body::OutOfFloatRange;
 use crate::contact::law::{LawChoice, Surface, YieldingPair};
-use crate::contact::pair::{OutOfFloatRange, YieldPartition};
+use crate::contact::pair::YieldPartition;
 use crate::contact::strength::strain_rate_hardening::StrainRateHardening;
 use crate::numerics::ode::IntegrationError;
 

@@ -13,8 +13,8 @@
 //! v^(3/5). Finite elements of whole impacts radiate 1.00 to 1.07 times this.
 
 use super::scales::{FORCE_FACTOR, Scales};
+use crate::contact::body::{HalfSpace, OutOfFloatRange, finite_positive};
 use crate::contact::law::{Surface, Unloading};
-use crate::contact::pair::{HalfSpace, OutOfFloatRange, finite_positive};
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::functions::{atan2, gamma, ln_1p};
 use crate::numerics::quadrature::tanh_sinh_between as integrate;

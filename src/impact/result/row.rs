@@ -1,6 +1,7 @@
 //! The results of an impact in a row of a table, a part of an [`Impact`](crate::impact::Impact).
 
-use crate::contact::pair::{OutOfFloatRange, finite_positive, imprint_name};
+use crate::contact::body::{OutOfFloatRange, finite_positive};
+use crate::contact::pair::imprint_name;
 use crate::impact::oblique::Rebound;
 use crate::impact::problem::contact::{Contact, StrainRateResult};
 use crate::impact::problem::error::ImpactError;

@@ -1,8 +1,9 @@
 //! Warnings about the bodies: numbers that hardly any body has, a sphere that yields, and results that do not fit the named
 //! materials. Only metals yield in the laws, and the law of a hardening metal needs more than the hardness.
 
+use crate::contact::body::{HalfSpace, Material};
 use crate::contact::law::Law;
-use crate::contact::pair::{HalfSpace, Material, Pair};
+use crate::contact::pair::Pair;
 use crate::impact::problem::contact::{Contact, is_modulus_wrong};
 use crate::impact::result::row::ImpactRow;
 use crate::impact::result::warning::{FULL_PLASTICITY_RATIO, Warning, WarningKind};

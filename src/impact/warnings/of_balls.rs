@@ -1,6 +1,6 @@
 //! The warning for two balls of one material of which only one has a strength.
 
-use crate::contact::pair::Support;
+use crate::contact::body::Support;
 use crate::impact::problem::contact::Contact;
 use crate::impact::result::impact::Impact;
 use crate::impact::result::warning::{Warning, WarningKind};

@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use super::bodies::{flow_warnings, ignored_strength, material_warnings, yielding_warning};
+use crate::contact::body::Support;
 use crate::contact::law::Law;
-use crate::contact::pair::{Pair, Support};
+use crate::contact::pair::Pair;
 use crate::impact::problem::contact::Contact;
 use crate::impact::problem::plate::{Plate, PlateTheory};
 use crate::impact::result::row::{ImpactRow, PlateResult};

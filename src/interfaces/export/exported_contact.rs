@@ -1,7 +1,7 @@
 //! The part of a scenario that a code for many spheres takes over: the bodies with plate and damping, and the speed. That code
 //! has its own way to compute all other forces and the path of the sphere.
 
-use crate::contact::pair::Support;
+use crate::contact::body::Support;
 use crate::error::{Error, ErrorKind};
 use crate::impact::Contact;
 use crate::numerics::functions::cos;

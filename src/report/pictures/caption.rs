@@ -1,8 +1,9 @@
 //! The words of a scenario in a picture: the names of its keys, and the line below the title, which says who hits whom under
 //! which law. A picture that has left its folder still says what it shows.
 
+use crate::contact::body::Material;
 use crate::contact::law::{LawChoice, UnloadingExponent};
-use crate::contact::pair::{Material, Pair};
+use crate::contact::pair::Pair;
 use crate::impact::Damping;
 use crate::report::chart::{Axis, Chart};
 use crate::scenario::input::{Body, Input, NumericKey};

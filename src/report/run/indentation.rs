@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::outcome::{self, Outcome, RunOptions, output_file, put_notes, warning_texts, with_summary};
-use crate::contact::pair::Sphere;
+use crate::contact::body::Sphere;
 use crate::error::{Error, ErrorKind};
 use crate::impact::indentation::{IndentationError, SpecimenResult, StaticContact};
 use crate::impact::{elastic_material_warning, half_space_warnings, sphere_warnings};

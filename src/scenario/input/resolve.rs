@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use super::{Body, BodyMaterial, Input, NumericKey, Value};
+use crate::contact::body::{HalfSpace, Sphere, Support, sphere_volume};
 use crate::contact::law::LawChoice;
-use crate::contact::pair::{HalfSpace, Sphere, Support, sphere_volume};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{

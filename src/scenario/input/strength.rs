@@ -1,8 +1,8 @@
 //! The strength of a body: the keys that give it, which are the same for sphere and half-space, and what follows from them.
 
 use super::{Body, Input, Value};
+use crate::contact::body::Material;
 use crate::contact::law::plm::hardness_test::strength_of_hardness;
-use crate::contact::pair::Material;
 use crate::contact::strength::flow_curve::FlowCurve;
 use crate::contact::strength::strain_rate_hardening::{RateForm, StrainRateHardening};
 use crate::scenario::keys::{KeyId, NUMBER, body_key};

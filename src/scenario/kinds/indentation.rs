@@ -1,7 +1,7 @@
 //! `[indentation]`: quasi-static loads and indentations of a sphere, on one half-space or on several.
 
+use crate::contact::body::{HalfSpace, Material, Sphere};
 use crate::contact::law::LawChoice;
-use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::error::Error;
 use crate::impact::Warning;
 use crate::impact::indentation::{SetPoint, Specimen};

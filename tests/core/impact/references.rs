@@ -131,7 +131,7 @@ fn peak_row_matches_reference() {
         }
         // the share of the sphere of what is elastic, and the flat that it keeps
         let compliance =
-            |body: &plm_impact::contact::pair::Material| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus;
+            |body: &plm_impact::contact::body::Material| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus;
         let [of_sphere, of_half_space] = [&scene.sphere().material, &scene.half_space().material].map(compliance);
         if let Some(elastic) = row.optional_number("elastic_approach_m") {
             let kept = row.optional_number("harder_body_residual_share").unwrap_or(0.0);

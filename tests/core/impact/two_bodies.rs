@@ -1,6 +1,6 @@
 //! A second ball and a curved wall: conservation, limits, and equal balls.
 
-use plm_impact::contact::pair::Support;
+use plm_impact::contact::body::Support;
 use plm_impact::impact::ImpactError;
 
 use crate::common::prelude::*;

@@ -1,6 +1,6 @@
 //! Invariants of one impact: energies, momentum, friction, sizes.
 
-use super::random_scene::Run;
+use super::random_scenario::Run;
 use crate::common::prelude::*;
 
 /// Whether the scene could be judged.

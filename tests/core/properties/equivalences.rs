@@ -1,7 +1,7 @@
 //! Invariants between an impact and its repetition by another method, without a trace, or as a row of a table.
 
 use super::balances::{Judgement, assert_close};
-use super::random_scene::{KeySetting, Run};
+use super::random_scenario::{KeySetting, Run};
 use crate::common::prelude::*;
 
 /// All that is reported of an impact, as text, so that no number is equal to itself too.

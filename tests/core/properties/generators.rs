@@ -1,7 +1,7 @@
 //! How scenes are drawn: tables of alternatives with their weights, and numbers in units of the scene, so that scenes of all sizes are
 //! alike.
 
-use super::random_scene::{AnyScene, KeySetting};
+use super::random_scenario::{AnyScene, KeySetting};
 use crate::common::prelude::*;
 
 /// The unit of a random number.

@@ -3,7 +3,7 @@
 use plm_impact::impact::indentation::SetPoint::{Indentation as To, Load};
 
 use super::balances::{Judgement, assert_close};
-use super::random_scene::Run;
+use super::random_scenario::Run;
 use super::trace::rank;
 use crate::common::prelude::*;
 use crate::impact::forces::exact_solutions;

@@ -5,7 +5,7 @@ mod balances;
 mod equivalences;
 mod generators;
 mod law;
-mod random_scene;
+mod random_scenario;
 mod surface;
 mod trace;
 mod units;
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use crate::common::prelude::*;
 use balances::Judgement;
 use generators::any_scene;
-use random_scene::Run;
+use random_scenario::Run;
 
 /// A name, what has to hold, and the least share of the scenes \[%\] in which it can be judged.
 type Invariant = (&'static str, fn(&Run) -> Judgement, usize);

@@ -1,7 +1,7 @@
 //! Invariants of the surface: its memory, its strength, and the law of the pair.
 
 use super::balances::{Judgement, assert_close};
-use super::random_scene::Run;
+use super::random_scenario::Run;
 use crate::common::prelude::*;
 
 /// A second impact is as deep as one impact with its energy and the energy that the first one kept. An elastic one does not change

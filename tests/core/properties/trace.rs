@@ -2,7 +2,7 @@
 
 use super::balances::{Judgement, assert_close};
 use super::equivalences::exact;
-use super::random_scene::Run;
+use super::random_scenario::Run;
 use crate::common::prelude::*;
 
 /// The order of a row: loading, its end, or unloading.

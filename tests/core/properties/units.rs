@@ -5,7 +5,7 @@ use plm_impact::results::impact::{SingleImpact, impact_results};
 use plm_impact::units::Dimension;
 
 use super::balances::Judgement;
-use super::random_scene::{AnyScene, KeySetting, RefusalReason, Run};
+use super::random_scenario::{AnyScene, KeySetting, RefusalReason, Run};
 use crate::common::prelude::*;
 
 /// Exponents of length, time and mass.

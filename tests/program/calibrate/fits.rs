@@ -1,8 +1,8 @@
 //! `plm-impact calibrate`: compares the found keys with independent fits, with data of known strength, and with
 //! measured hardness.
 
+use plm_impact::contact::body::Material;
 use plm_impact::contact::law::plm::hardness_test::hardness_of_flow_stress;
-use plm_impact::contact::pair::Material;
 
 use crate::common::prelude::*;
 

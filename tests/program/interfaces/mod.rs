@@ -3,8 +3,10 @@
 pub mod cli;
 pub mod drop;
 pub mod export;
+mod export_two_spheres;
 pub mod hostile_input;
 #[cfg(unix)]
 pub mod json_and_shell;
 pub mod laws;
 pub mod licences;
+pub mod several_files;

@@ -129,9 +129,9 @@ impl SvgPicture {
             .collect();
         let labels_at = below.iter().map(|node| number(*node, "y")).fold(f64::INFINITY, f64::min);
         let (labels, titles): (Vec<Node>, Vec<Node>) = below.iter().partition(|node| number(**node, "y") == labels_at);
-        let labels: Vec<(f64, String)> = labels.iter().map(|node| (number(*node, "x"), words(*node))).collect();
+        let labels: Vec<(f64, String)> = labels.iter().map(|node| (number(*node, "x"), text_of(*node))).collect();
         // a title that is longer than its box has two rows
-        Scale::from_labels(&labels, &titles.iter().map(|title| words(*title)).collect::<Vec<_>>().join(" "))
+        Scale::from_labels(&labels, &titles.iter().map(|title| text_of(*title)).collect::<Vec<_>>().join(" "))
     }
 
     /// The vertical scale, whose labels stand left of the box, or left of the box that is beside it.
@@ -147,13 +147,13 @@ impl SvgPicture {
                     && (left - 50.0 * UNITS..left).contains(&number(**node, "x"))
             };
             // letters stand a little below their tick
-            nodes.iter().filter(is_beside).map(|node| (number(*node, "y") - 2.0 * UNITS, words(*node))).collect()
+            nodes.iter().filter(is_beside).map(|node| (number(*node, "y") - 2.0 * UNITS, text_of(*node))).collect()
         };
         let first = self.boxes().iter().filter(|ends| ends[1] == top).map(|ends| ends[0]).fold(left, f64::min);
         let labels = [left, first].map(beside).into_iter().find(|labels| !labels.is_empty()).unwrap();
         let turned = nodes.iter().filter(|node| node.attribute("transform").is_some() && number(**node, "x") < left);
         let title = turned.max_by(|a, b| number(**a, "x").total_cmp(&number(**b, "x"))).unwrap();
-        Scale::from_labels(&labels, &words(*title))
+        Scale::from_labels(&labels, &text_of(*title))
     }
 
     /// The fill of the topmost rectangle at a place.
@@ -177,7 +177,7 @@ impl SvgPicture {
     }
 }
 
-fn words(node: Node) -> String {
+fn text_of(node: Node) -> String {
     node.text().unwrap().trim().to_owned()
 }
 

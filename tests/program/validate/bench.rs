@@ -14,7 +14,7 @@ fn serves(method: &str, problem: &str) -> bool {
 }
 
 /// A page without its table, and without its other numbers.
-fn words(page: &str) -> Vec<String> {
+fn split_words(page: &str) -> Vec<String> {
     let lines = page.lines().filter(|line| !line.starts_with('|'));
     lines.map(|line| line.replace(|letter: char| letter.is_ascii_digit() || letter == '.', "")).collect()
 }
@@ -39,7 +39,7 @@ fn bench_writes_the_whole_report() {
     let report = desk.read("out/README.md");
     // without the measured numbers, the page in the repository is what the command writes
     let kept = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/plots/bench/README.md")).unwrap();
-    assert_eq!(words(&kept), words(&report), "plots/bench/README.md is stale");
+    assert_eq!(split_words(&kept), split_words(&report), "plots/bench/README.md is stale");
     assert_eq!(text(&output.stdout).trim_end(), report.trim_end());
     check_rows(&desk.read("out/speed_vs_error.csv"), &report);
 }

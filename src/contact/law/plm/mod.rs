@@ -181,7 +181,7 @@ impl ContactLaw for Plm {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::pair::{HalfSpace, Material, Sphere};
+    use crate::contact::body::{HalfSpace, Material, Sphere};
 
     /// The curve that pairs share is that of their coefficients and of their κ², whichever pair came first.
     #[test]
