@@ -84,7 +84,11 @@ fn paths(code: &str) -> BTreeSet<(bool, String)> {
     // what stands before the open braces
     let (mut stems, mut found): (Vec<String>, _) = (Vec::new(), BTreeSet::new());
     let (mut public, mut before) = (false, "");
-    let code = code.replace("pub(crate) use", "pub use").replace("pub(super) use", "pub use");
+    // a visibility is no use of the module that it names
+    let code = code
+        .replace("pub(in crate::", "pub(")
+        .replace("pub(crate) use", "pub use")
+        .replace("pub(super) use", "pub use");
     for piece in code.split_inclusive(|c| !is_part(c)) {
         let word = piece.trim_end_matches(|c| !is_part(c));
         let stem = stems.last().cloned().unwrap_or_default();

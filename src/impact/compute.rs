@@ -9,10 +9,9 @@ use super::result::impact::Impact;
 use super::result::row::ImpactRow;
 use super::scaled_impact::{ScaledImpact, hertz_law};
 use super::solve::closed_form;
-use super::solve::outcome::ScaledResult;
+use super::solve::outcome::{ScaledResult, Solution};
 use super::solve::{Method, Solver, TRACE_TOLERANCE, solve};
-use super::warnings;
-use crate::contact::law::{LoadingHistory, Surface, Unloading, UnloadingRule};
+use crate::contact::law::UnloadingRule;
 use crate::numerics::ode::IntegrationError;
 
 impl ScaledImpact<'_> {
@@ -25,6 +24,22 @@ impl ScaledImpact<'_> {
             UnloadingRule::Hertz if self.q == 1.0 && self.forces.is_none() => Ok(Some(*ELASTIC)),
             _ => closed_form::solve_conservative(self.ground, self.q, &self.forces, tolerance),
         }
+    }
+
+    /// The closed form, if there is one, and the solution by the method of the solver.
+    ///
+    /// # Errors
+    /// [`ImpactError`] if the integrator fails, or the law has no answer at this peak.
+    pub(super) fn solve(
+        &self,
+        solver: &Solver,
+        samples: Option<usize>,
+    ) -> Result<(Option<ScaledResult>, Solution), ImpactError> {
+        let tolerance = if solver.method == Method::ClosedForm { solver.tolerance } else { TRACE_TOLERANCE };
+        let exact = self.closed_form_outcome(tolerance)?;
+        let solution = solve(self.ground, self.q, &self.forces, exact.as_ref(), solver, samples)?;
+        self.ground.check(&solution.outcome.unloading)?;
+        Ok((exact, solution))
     }
 }
 
@@ -59,7 +74,7 @@ impl Contact {
     #[inline]
     fn row_at(&self, approach: Approach, speed: f64, solver: &Solver) -> Result<ImpactRow, ImpactError> {
         let case = self.scaled_impact(None, speed)?;
-        let outcome = match self.resolve_method(solver.method, false)? {
+        let outcome = match self.resolve_solver(solver, false)?.method {
             Method::ClosedForm => case.closed_form_outcome(solver.tolerance)?,
             _ => None,
         };
@@ -75,9 +90,11 @@ impl Contact {
         Ok(essentials)
     }
 
+    /// The solver with the method that computes an impact of this contact.
     #[inline]
-    fn resolve_method(&self, method: Method, has_trace: bool) -> Result<Method, ImpactError> {
-        method.resolve(self.forces(), has_trace).ok_or(ImpactError::NoClosedForm)
+    pub(super) fn resolve_solver(&self, solver: &Solver, has_trace: bool) -> Result<Solver, ImpactError> {
+        let method = solver.method.resolve(self.forces(), has_trace).ok_or(ImpactError::NoClosedForm)?;
+        Ok(Solver { method, ..*solver })
     }
 
     /// Computes one impact at a speed \[m/s\], or an [`Approach`]; with `samples`, with a trace of that many evenly
@@ -95,32 +112,5 @@ impl Contact {
         let [speed, _] = approach.components();
         let rated = self.contact_at_speed(speed)?;
         rated.as_ref().unwrap_or(self).impact_on_surface(None, approach, solver, samples).map(|(impact, ..)| impact)
-    }
-
-    /// The impact with its ground and unloading branch, on fresh surface or in a dent.
-    pub(super) fn impact_on_surface<'a>(
-        &'a self,
-        dent: Option<&'a LoadingHistory>,
-        approach: Approach,
-        solver: &Solver,
-        samples: Option<usize>,
-    ) -> Result<(Impact, Surface<'a>, Unloading), ImpactError> {
-        let [speed, _] = approach.components();
-        let case = self.scaled_impact(dent, speed)?;
-        let ScaledImpact { ground, q, forces, .. } = case;
-        let method = self.resolve_method(solver.method, samples.is_some())?;
-        let exact =
-            case.closed_form_outcome(if method == Method::ClosedForm { solver.tolerance } else { TRACE_TOLERANCE })?;
-        let solver = Solver { method, ..*solver };
-        let computed = solve(ground, q, &forces, exact.as_ref(), &solver, samples)?;
-        let unloading = computed.outcome.unloading;
-        ground.check(&unloading)?;
-        let mut impact = Impact::new(self, speed, &case, method, &computed, exact.as_ref())?;
-        impact.warnings = warnings::impact_warnings(self, &impact, ground, &unloading, &solver);
-        if let Some(inclined) = ObliqueImpact::new(self, &case, &computed.outcome, approach)? {
-            impact.add_friction(&inclined, approach)?;
-            impact.warnings.extend(warnings::oblique_warnings(self, &impact, approach));
-        }
-        Ok((impact, ground, unloading))
     }
 }

@@ -4,10 +4,15 @@
 //! impact, [`Contact::closed_form`] computes the exact outcome without integration. The interface uses SI units, and the inside
 //! dimensionless numbers.
 //!
-//! The files depend on each other in this order: what acts ([`problem::scales`], [`problem::plate`], [`problem::forces`]); the dimensionless result
-//! ([`solve::recorder`], [`solve::outcome`]); how it is computed ([`solve::closed_form`], [`solve::motion`], [`solve::verlet`], [`solve`]); what is reported of it
-//! ([`problem::contact`], `rate`, `case`, [`oblique`], [`result::row`], `ledger`, [`result::impact`], `bodies`, `validity`); the impacts of a contact (`impacts`,
-//! [`series::spot`]); the law as a force of its own (`response`, [`dem::friction`]); and this file, which only names them.
+//! The way of one impact is the code of this file, `Contact::impact_on_surface`: a folder for each of its steps.
+//!
+//! 1. [`problem`] makes the impact dimensionless: contact, scales, forces, plate, strain rate.
+//! 2. [`solve`] computes the normal motion: by its closed form, by integration along the pieces of the law, or in fixed steps.
+//! 3. [`result`] gives the results in SI units, and `warnings` checks the model and the run.
+//! 4. [`oblique`] adds the tangential motion of an impact with friction.
+//!
+//! [`series`] has impacts one after the other with [`flight`] between them. [`indentation`] has contacts without motion, and [`dem`] has
+//! force and friction for codes that move the spheres themselves.
 
 mod compute;
 pub mod dem;
@@ -43,3 +48,30 @@ pub(crate) use warnings::bodies::{
     elastic_material_warning, flow_warnings, half_space_warnings, ignored_strength, sphere_warnings, yielding_warning,
 };
 pub(crate) use warnings::{dent_warning, exponent_warning, peak_warnings};
+
+use crate::contact::law::{LoadingHistory, Surface, Unloading};
+use oblique::ObliqueImpact;
+
+impl Contact {
+    /// Computes one impact on fresh surface, or in a dent. Returns the impact, and the surface and the unloading branch that it ends on.
+    fn impact_on_surface<'a>(
+        &'a self,
+        dent: Option<&'a LoadingHistory>,
+        approach: Approach,
+        solver: &Solver,
+        samples: Option<usize>,
+    ) -> Result<(Impact, Surface<'a>, Unloading), ImpactError> {
+        let [speed, _] = approach.components();
+        let problem = self.scaled_impact(dent, speed)?;
+        let solver = self.resolve_solver(solver, samples.is_some())?;
+        let (exact, solution) = problem.solve(&solver, samples)?;
+        let unloading = solution.outcome.unloading;
+        let mut impact = Impact::new(self, speed, &problem, solver.method, &solution, exact.as_ref())?;
+        impact.warnings = warnings::impact_warnings(self, &impact, problem.ground, &unloading, &solver);
+        if let Some(oblique) = ObliqueImpact::new(self, &problem, &solution.outcome, approach)? {
+            impact.add_friction(&oblique, approach)?;
+            impact.warnings.extend(warnings::oblique_warnings(self, &impact, approach));
+        }
+        Ok((impact, problem.ground, unloading))
+    }
+}

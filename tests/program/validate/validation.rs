@@ -255,13 +255,15 @@ pub fn rebound_of_device(strength: f64) -> f64 {
 /// %.
 #[test]
 fn restitution_bias_of_common_strengths_is_as_documented() {
-    let bias = |hardness: f64, strength: f64| rebound_of_device(1e6 * strength) / (hardness / 1000.0) - 1.0;
+    let restitution_error =
+        |hardness: f64, strength: f64| rebound_of_device(1e6 * strength) / (hardness / 1000.0) - 1.0;
     for steel in LEEB_STEELS.rows().unwrap() {
         for end in ["low", "high"] {
             let tensile = steel.number(&format!("{end}_tensile_strength_MPa"));
             let hardness = steel.number(&format!("{end}_HLD"));
-            let (with_tensile, with_proof) = (bias(hardness, tensile), bias(hardness, 0.65 * tensile));
-            assert!((-0.14..-0.04).contains(&with_tensile), "{} {tensile}: {with_tensile}", steel.text("steel"));
+            let (with_tensile, with_proof) =
+                (restitution_error(hardness, tensile), restitution_error(hardness, 0.65 * tensile));
+            assert!((-0.14..-0.04).contains(&with_tensile), "{} {tensile}: {with_tensile}", steel.cell_text("steel"));
             if tensile < 900.0 {
                 assert!((-0.33..-0.26).contains(&with_proof), "{} {tensile}: {with_proof}", steel.cell_text("steel"));
             }
