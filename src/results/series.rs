@@ -61,7 +61,7 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         "impacts" as "impacts": series.sequence.impacts.len();
         /// Where they hit: `same` or `fresh`.
         "spot" as "{} spot": series.repeat.spot_mode.name();
-        /// Why the series ended: `shots`, `impact_columns`, `until`, `captured` or `in_dent`.
+        /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
         "ended_by": series.sequence.end.name();
         /// Why the series ended, as a sentence.
         "end" as "ended": end_text(series.repeat, series.sequence);

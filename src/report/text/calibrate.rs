@@ -84,7 +84,7 @@ pub fn calibration_results<'a>() -> Vec<ResultSpec<CalibrationReport<'a>>> {
         "estimated_noise": noise(one.calibration).1;
         /// Error of the law that was assumed, as a share of every value.
         "model_error": one.measured.request.model_error;
-        /// `normal`, or `student-t with 4 degrees of degrees_of_freedom`.
+        /// `normal`, or `student-t with 4 degrees of freedom`.
         "likelihood": if one.calibration.fit.problem.is_robust { "student-t with 4 degrees of freedom" } else { "normal" };
         /// Values that count as outliers.
         "outliers": one.calibration.outliers;

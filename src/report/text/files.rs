@@ -1,4 +1,4 @@
-//! The form in which results are written: `summary_json.to_json`, and tables as CSV, such as the trace of an impact and the impacts of a
+//! The form in which results are written: `summary.json`, and tables as CSV, such as the trace of an impact and the impacts of a
 //! series. A number has the fewest digits that read back to the same number.
 
 use serde_json::{Map, Value};
@@ -9,7 +9,7 @@ use crate::files::Provenance;
 use crate::impact::Impact;
 use crate::results::{ResultSpec, trace};
 
-/// `summary_json.to_json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
+/// `summary.json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
 pub fn summary_json(
     mut results: Map<String, Value>,
     inputs: &Inputs,

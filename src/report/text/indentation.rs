@@ -1,4 +1,4 @@
-//! The results of an indentation, and the texts about it: `summary.to_json`, `trace.csv` and what the terminal shows.
+//! The results of an indentation, and the texts about it: `summary.json`, `trace.csv` and what the terminal shows.
 
 use serde_json::{Map, Value};
 
@@ -17,7 +17,7 @@ use crate::scenario::kinds::indentation::IndentationRequest;
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_si_and_short};
 
-/// The results of one half-space, in the order of `summary.to_json`.
+/// The results of one half-space, in the order of `summary.json`.
 pub fn half_space_results() -> Vec<ResultSpec<SpecimenResult>> {
     result_specs! { |tested: SpecimenResult|
         /// Name of the half-space.
