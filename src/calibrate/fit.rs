@@ -6,10 +6,10 @@ use super::minimise::{BasinSearch, ParameterPoint, ShareRange, is_equal_within_r
 use super::problem::{CalibrationProblem, PredictionError, STUDENT_DEGREES};
 use crate::numerics::functions::hypot;
 
-/// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
+/// The smallest scatter of real readings, relative to the value. If the scatter is smaller, the readings are rounded.
 pub(crate) const MIN_SCATTER: f64 = 1e-6;
-/// The noise may be a share of the value by the law. If the law gives less than this part of the reading, it is a share of this
-/// part of the reading.
+/// The noise may be a fraction of the predicted value. If the prediction is below this fraction of the reading, the noise is a fraction
+/// of the reading times this number.
 const MIN_MODEL_TO_READING: f64 = 0.5;
 
 /// How the standard deviations are found.
@@ -24,7 +24,7 @@ pub enum Noise {
         /// The noise as a share of every value, if it is the same share of all.
         share: Option<f64>,
     },
-    /// As many values as keys leave no scatter to estimate the noise from.
+    /// There are as many keys as values, so there is no scatter to estimate the noise from.
     TooFew,
     /// All values, or more than half of them if outliers are expected, are met to the last digit.
     NoScatter,
@@ -73,9 +73,9 @@ impl<'a> Fit<'a> {
             true => Noise::from_scale(&problem, 1.0),
             false => Noise::Given,
         };
-        // a share of the noise is one of what the law gives. As a share of the readings it would give low readings more
-        // weight, and the law would come out too low. With outliers the size of the noise comes from the median of the
-        // residuals. In both cases noise and keys are found in turn
+        // relative noise refers to the predicted value. Relative to the readings it would give low readings more weight, and the
+        // fitted law would be too low. With outliers the size of the noise follows from the median of the residuals. In both cases
+        // noise and keys are estimated alternately
         let has_shares = noise_model.share > 0.0 && noise != Noise::TooFew && !problem.data.is_curve();
         let rounds = match (is_estimated && is_robust, has_shares, is_estimated) {
             (true, ..) => 8,
@@ -147,7 +147,7 @@ impl<'a> Fit<'a> {
         self.problem.values(&self.best().shares)
     }
 
-    /// The noise is unknown then, and so are the intervals.
+    /// True if the noise is unknown; then the intervals are unknown too.
     pub fn is_noise_unknown(&self) -> bool {
         matches!(self.noise, Noise::TooFew | Noise::NoScatter)
     }
@@ -188,9 +188,9 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     }
 }
 
-/// Covariance of the shares: the inverse of the Fisher information; `None` if that has no inverse.
+/// Covariance of the shares: the inverse of the Fisher information; `None` if the information is singular.
 fn covariance(problem: &CalibrationProblem, matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    // with long tails the same residuals hold less information
+    // with long tails equal residuals have less information
     let factor = if problem.is_robust { (STUDENT_DEGREES + 1.0) / (STUDENT_DEGREES + 3.0) } else { 1.0 };
     let inverse = (matrix.tr_mul(matrix) * factor).try_inverse()?;
     inverse.diagonal().iter().all(|square| square.is_finite() && *square > 0.0).then_some(inverse)

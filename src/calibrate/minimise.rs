@@ -1,5 +1,5 @@
-//! The minimum of the sum over the keys that are not held, by recursion: over one key the sum is searched as it is, over two
-//! keys the sum is that of the profile, which is minimised over the other key.
+//! The minimum of the objective, by recursion. With one free key the objective itself is searched. With two free keys the profile is
+//! searched: the objective minimised over the other key.
 //!
 //! The sum has a kink wherever an impact passes a knot of the law, and a plateau where impacts stay elastic. So no derivatives
 //! are used.
@@ -10,18 +10,18 @@ use super::problem::CalibrationProblem;
 
 /// This number of impacts is enough to find the cells with basins.
 const MAX_SCREENED_ROWS: usize = 1000;
-/// Cells along the range of a key, and along that of a key inside of a profile.
+/// Cells along the range of a key, and along the range of a key inside of a profile.
 const CELLS: u32 = 64;
 const CELLS_INSIDE: u32 = 24;
-/// Largest number of basins whose minimum is computed.
+/// The maximum number of basins whose minimum is computed.
 const MAX_BASINS: usize = 8;
 /// Two minima are in different basins if the sum between them rises by this multiple of its mean per value.
 const BARRIER_PER_VALUE: f64 = 1.0;
-/// How exactly a share of the first key is found, and one of a key inside of a profile.
+/// Tolerance of the share of the first key, and of a key inside of a profile.
 const TOLERANCE: f64 = 1e-9;
 const INNER_TOLERANCE: f64 = 1e-7;
 
-/// A place in the ranges of the keys, and the sum there.
+/// A point in the ranges of the keys, and its objective.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterPoint {
     /// Shares of the ranges.
@@ -45,13 +45,13 @@ impl ShareRange {
         Self { low: share, high: share, cells: 0 }
     }
 
-    /// Up to a cell on each side of a share.
+    /// The range of one cell on each side of a share.
     pub fn with_centre(share: f64) -> Self {
         let cell = 1.0 / f64::from(CELLS);
         Self { low: (share - cell).max(0.0), high: (share + cell).min(1.0), cells: 4 }
     }
 
-    /// Both ends, and the middles of the cells between them.
+    /// The nodes: both ends, and the middles of the cells between them.
     pub(super) fn nodes(self) -> Vec<f64> {
         let width = (self.high - self.low) / f64::from(self.cells);
         let middles = (0..self.cells).map(|i| self.low + (f64::from(i) + 0.5) * width);
@@ -64,7 +64,7 @@ pub fn is_equal_within_rounding(a: f64, b: f64) -> bool {
     a == b || (a - b).abs() <= 1e-11 * a.abs().max(b.abs()) + 1e-24
 }
 
-/// The problem with all measurements, and a smaller one with some of them, by which the basins are found.
+/// The problem with all measurements, and a smaller problem with a subsample, which is used to find the basins.
 #[derive(Debug, Clone)]
 pub struct BasinSearch<'p, 'a> {
     whole: &'p CalibrationProblem<'a>,
@@ -81,7 +81,7 @@ impl<'p, 'a> BasinSearch<'p, 'a> {
         find_minima(self.whole, &self.subsampled, ranges, TOLERANCE)
     }
 
-    /// The place with the lowest sum; the sum is infinite if the law gives no result anywhere.
+    /// The point with the lowest objective; the objective is infinite if the law gives no result anywhere.
     pub fn profile_minimum(&self, ranges: &[ShareRange]) -> ParameterPoint {
         profile_minimum(self.whole, &self.subsampled, ranges)
     }
@@ -144,7 +144,7 @@ fn find_minima(
     apart.into_iter().map(|(_, place)| place).collect()
 }
 
-/// The nodes at the bottom of each basin, the first and the last of those with the same sum. The lowest basin comes first.
+/// The first and the last node with the lowest objective in each basin. The lowest basin comes first.
 fn basins(sums: &[f64]) -> Vec<[usize; 2]> {
     let (mut basins, mut first) = (Vec::new(), 0);
     for level in sums.chunk_by(|a, b| is_equal_within_rounding(*a, *b)) {
@@ -160,8 +160,8 @@ fn basins(sums: &[f64]) -> Vec<[usize; 2]> {
 }
 
 /// The minimum between two shares by the method of Brent (1973): parabolas, and the golden section where they do not help.
-/// If two sums are equal, the share that is farther from the start is taken. So a search that starts on a plateau ends where the
-/// plateau ends.
+/// If two sums are equal, the share that is farther from the start is taken. So a search that starts on a plateau stops at the
+/// end of the plateau.
 fn brent(
     [mut low, mut high]: [f64; 2],
     start: f64,

@@ -1,20 +1,20 @@
-//! Finds keys of a scenario from measurements: the values for which the law gives what was measured, their uncertainty,
-//! and whether the law fits at all.
+//! Fits keys of a scenario to measurements: the best values of the keys, their uncertainty, and whether the data are compatible with the
+//! law.
 //!
-//! One or two keys are wanted, and each has a range; without a key the measurements are only compared with the law. The
+//! One or two keys are fitted, and each has a range. Without a key the measurements are only compared with the law. The
 //! profile of −2 ln of the likelihood along the first key, minimised over the second, gives every basin and its minimum. If
 //! the standard deviations of the noise are known, the likelihood is normal and the sum is chi-square. With `robust` the
 //! likelihood has the long tails of Student's distribution with 4 degrees of freedom. The error of the law is a share of each value; it is added to
 //! the noise in quadrature, and is independent from value to value. If the noise is not known, it is taken as the same
 //! share of every value that the law gives, and estimated from the scatter.
 //!
-//! The intervals are those of the profile likelihood. An interval holds all values of a key for which the sum,
+//! The intervals are profile-likelihood intervals. An interval holds all values of a key for which the sum,
 //! minimised over the other key, is at most z² above its minimum. If the noise is estimated, Student's t² replaces z².
 //! With two keys the same sum also gives the regions that hold both of them with these probabilities.
 //!
 //! No interval is given if the keys can be changed together while the predictions change by less than the error of the
-//! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together. Nor is there an
-//! interval if nothing is known of the noise: readings that repeat to the last digit are rounded, and hide it.
+//! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together. No interval
+//! is given either if the noise is unknown: readings that repeat to the last digit are rounded and hide the noise.
 
 pub mod data;
 pub mod fit;
@@ -44,10 +44,10 @@ use result::OUTLIER_LIMIT;
 pub use result::{Calibration, KeyEstimate, LawFit, Verdict};
 use statistics::{chi_square_p_value, runs_test};
 
-/// Smallest standard deviation, as a share of the value: squares of residuals stay finite.
+/// The smallest standard deviation, relative to the value. With it squares of residuals stay finite.
 const MIN_DEVIATION: f64 = 1e-9;
 
-/// The keys that are wanted, and the measurements.
+/// The request of a calibration, and the measurements.
 #[derive(Debug, Clone)]
 pub struct CalibrationTask {
     /// The request of the scenario.

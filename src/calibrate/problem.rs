@@ -23,10 +23,10 @@ pub enum PredictionError {
     /// An indentation has no result.
     #[error(transparent)]
     Indentation(#[from] IndentationError),
-    /// The sphere stays in its dent, so a measured quantity such as the contact time does not exist.
+    /// The sphere stays in its dent, so a measured quantity such as the contact time has no value.
     #[error("a quantity that was measured does not exist there, as the sphere does not leave")]
     Captured,
-    /// The result is no longer wanted.
+    /// The calibration was stopped.
     #[error("the calibration was stopped")]
     Stopped,
 }
@@ -37,27 +37,27 @@ pub const STUDENT_DEGREES: f64 = 4.0;
 /// Number of rows that one thread computes at a time.
 const CHUNK: usize = 512;
 
-/// Keys that are wanted, a law, and measurements with their noise. A place in the ranges of the keys is given by
-/// shares: 0 is the lower end of a range and 1 the upper end.
+/// The fitted keys, a law, and measurements with their noise. A point in the ranges of the keys is given by
+/// shares: 0 is the lower end of a range and 1 is the upper end.
 #[derive(Debug, Clone)]
 pub struct CalibrationProblem<'a> {
     pub input: Input,
-    /// The input in which the keys that are wanted, and those of the data, have a place.
+    /// The input with values for the fitted keys and for the keys of the data.
     template: Input,
-    /// The keys that are wanted.
+    /// The fitted keys.
     pub free: &'a [FreeKey],
     pub data: &'a MeasurementData,
     /// Standard deviation of each value of the data.
     pub deviations: Vec<f64>,
-    /// The likelihood then has long tails.
+    /// True if the likelihood has long tails.
     pub is_robust: bool,
-    /// Pieces of rows; all rows of a piece have the same contact, or are points of one curve.
+    /// Batches of rows. All rows of a batch have the same contact, or are points of one curve.
     batches: Vec<Vec<usize>>,
-    /// The values that are used: all of them, or those of the thinned data.
+    /// The values that are used: all of them, or a subsample.
     pub used_values: Vec<usize>,
     /// For every row, the range of its values.
     value_ranges: Vec<std::ops::Range<usize>>,
-    /// Says when the result is no longer wanted.
+    /// The stop flag.
     progress: Option<&'a Progress>,
 }
 
@@ -77,7 +77,7 @@ impl<'a> CalibrationProblem<'a> {
         }
         let mut filled = input.clone();
         for key in free.iter().map(|free| free.key).chain(data.keys.iter().copied()) {
-            // it takes away the key in place of which it stands
+            // the key removes its alternative
             key.set_exclusive(&mut filled, 1.0);
         }
         let (input, pieces, counted, progress) = (input.clone(), Vec::new(), Vec::new(), None);
@@ -96,17 +96,17 @@ impl<'a> CalibrationProblem<'a> {
         empty.with_rows(0..data.rows.len())
     }
 
-    /// Returns this problem, which stops with an error when `progress` is asked to stop.
+    /// Returns this problem with a stop flag: it ends with an error if `progress` is stopped.
     pub fn with_progress(self, progress: &'a Progress) -> Self {
         Self { progress: Some(progress), ..self }
     }
 
-    /// Replaces the data, to predict them by the same keys and law: every standard deviation is 1.
+    /// Replaces the data, to predict them by the same keys and law. Every standard deviation becomes 1.
     pub fn for_prediction<'b>(&'b self, data: &'b MeasurementData) -> CalibrationProblem<'b> {
         CalibrationProblem::new(&self.input, self.free, data, vec![1.0; data.values.len()], false)
     }
 
-    /// Leaves at most `most` impacts, at even steps through the data. A curve keeps all points.
+    /// Keeps at most `most` impacts, at even steps through the data. A curve keeps all points.
     pub fn subsampled(&self, most: usize) -> Self {
         let step = if self.data.is_curve() { 1 } else { self.data.rows.len().div_ceil(most) };
         self.clone().with_rows((0..self.data.rows.len()).step_by(step))
@@ -137,7 +137,7 @@ impl<'a> CalibrationProblem<'a> {
         self.free.iter().zip(shares).map(|(free, share)| free.value_at_share(*share)).collect()
     }
 
-    /// The input with the keys that are wanted at these shares.
+    /// The input with the fitted keys at these shares.
     fn input_at(&self, shares: &[f64]) -> Input {
         let mut input = self.template.clone();
         for (free, share) in self.free.iter().zip(shares) {
@@ -146,7 +146,7 @@ impl<'a> CalibrationProblem<'a> {
         input
     }
 
-    /// The input of the impact of a row, with the keys that are wanted at these shares.
+    /// The input of the impact of a row, with the fitted keys at these shares.
     pub(super) fn row_input(&self, row: usize, shares: &[f64]) -> Input {
         let mut input = self.input_at(shares);
         self.set_row_keys(&mut input, row, 0.0);
@@ -177,7 +177,7 @@ impl<'a> CalibrationProblem<'a> {
         Ok(all)
     }
 
-    /// Refuses to go on after the calibration was stopped.
+    /// Returns an error if the calibration was stopped.
     fn check_cancelled(&self) -> Result<(), PredictionError> {
         if self.progress.is_some_and(Progress::is_stopped) { Err(PredictionError::Stopped) } else { Ok(()) }
     }
@@ -192,7 +192,7 @@ impl<'a> CalibrationProblem<'a> {
         (0..self.data.rows.len()).map(speed).collect()
     }
 
-    /// The first value that is more than a rebound without loss would give, with that limit.
+    /// The first value that exceeds the value of a rebound without loss, with this limit.
     pub fn exceeding_value(&self) -> Option<(&MeasuredValue, f64)> {
         let mut input = self.template.clone();
         self.data.values.iter().find_map(|value| {
@@ -202,7 +202,7 @@ impl<'a> CalibrationProblem<'a> {
         })
     }
 
-    /// Puts the keys of a row into an input. The flight before it lasts as long as the interval less the time in contact.
+    /// Sets the keys of a row in an input. The flight before its impact lasts for the interval minus the contact time.
     fn set_row_keys(&self, input: &mut Input, row: usize, in_contact: f64) {
         let MeasurementRow { keys, preceding_interval: interval_before, .. } = &self.data.rows[row];
         for (key, value) in self.data.keys.iter().zip(keys) {
@@ -226,7 +226,7 @@ impl<'a> CalibrationProblem<'a> {
             self.check_cancelled()?;
             self.set_row_keys(&mut input, *row, 0.0);
             if self.data.rows[*row].preceding_interval.is_some() {
-                // the contact before took about as long as this one
+                // the previous contact took about as long as this one
                 let first = contact.row(input.speed(), &input.solver())?;
                 self.set_row_keys(&mut input, *row, first.contact_time);
             }
@@ -281,7 +281,7 @@ impl<'a> CalibrationProblem<'a> {
         if f64::is_nan(sum) { f64::INFINITY } else { sum }
     }
 
-    /// −2 ln of the likelihood with its constants, from [`Self::sum`]. It serves to compare laws.
+    /// −2 ln of the likelihood with its constants, from the objective. It is compared between laws.
     pub fn neg2_log_likelihood(&self, sum: f64) -> f64 {
         let tau = 2.0 * std::f64::consts::PI;
         let constant = if self.is_robust { 0.980_829_253_011_726_3 } else { 0.5 * ln(tau) };

@@ -18,7 +18,7 @@ impl Fit<'_> {
         self.covariance.as_ref().map_or(1.0, |covariance| covariance[(key, key)].sqrt()).min(1.0)
     }
 
-    /// How far the sum, minimised over the other keys, is above the least where this key has this share.
+    /// The deviance at this share of a key: the objective minimised over the other keys, minus its global minimum.
     fn deviance(&self, key: usize, share: f64) -> f64 {
         let mut ranges = vec![ShareRange::WHOLE; self.problem.free.len()];
         ranges[key] = ShareRange::with_share(share);
@@ -30,12 +30,12 @@ impl Fit<'_> {
         LEVELS.map(|level| self.interval_ends(key, half_width(level, self.degrees_of_freedom())))
     }
 
-    /// The shares on both sides at which the sum has risen by the square of `reach`.
+    /// The shares on both sides at which the deviance is the square of `reach`.
     fn interval_ends(&self, key: usize, reach: f64) -> IntervalEnds {
         let level = reach * reach;
         [-1.0, 1.0].map(|direction| {
             let beyond = |share: &f64, than: f64| direction * (share - than) > 0.0;
-            // the outermost place known to be inside of the interval: a minimum, or a cell of the grid
+            // the outermost share that is certainly inside of the interval: a minimum, or a cell of the grid
             let basins = self.minima.iter().filter(|place| place.sum - self.best().sum < level);
             let mut inside = basins.map(|place| place.shares[key]).fold(self.best().shares[key], |outermost, share| {
                 if beyond(&share, outermost) { share } else { outermost }
@@ -75,9 +75,9 @@ impl Fit<'_> {
         Some(at(newton_bisection((0.0, 1.0), 0.9, is_near, rise)))
     }
 
-    /// The outlines of the region that holds both of two keys with this probability, as shares: one around every minimum
-    /// inside of it. The rise of the sum there is that of the F distribution with 2 degrees of freedom, or of chi-square
-    /// where the noise is known.
+    /// The outlines of the confidence region of two keys at this probability, as shares: one outline around every minimum inside of the
+    /// region. The deviance on the outline follows from the F distribution with 2 degrees of freedom, or from chi-square if the noise
+    /// is known.
     pub fn region(&self, probability: f64) -> Vec<Vec<[f64; 2]>> {
         let beyond = -2.0 * ln_1p(-probability);
         let rise = self.degrees_of_freedom().map_or(beyond, |freedom| freedom * exp_m1(beyond / freedom));
@@ -86,8 +86,8 @@ impl Fit<'_> {
         minima.map(|place| self.outline(place, &axes.l(), rise)).collect()
     }
 
-    /// The places on rays from a minimum at which the sum has risen this far above the least, or at which the range of a key
-    /// ends. The rays are even on the scale of the standard deviations.
+    /// The points on rays from a minimum at which the deviance has this value, or at which the range of a key ends. The rays have even
+    /// angles on the scale of the standard deviations.
     fn outline(&self, from: &ParameterPoint, axes: &DMatrix<f64>, rise: f64) -> Vec<[f64; 2]> {
         let [x, y] = [from.shares[0], from.shares[1]];
         let place = |ray: u32| {
@@ -115,5 +115,5 @@ impl Fit<'_> {
 }
 
 const RAYS: u32 = 72;
-/// Number of places at which separate basins are searched.
+/// The number of shares at which separate basins are searched.
 const CELLS: u32 = 32;

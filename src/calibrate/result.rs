@@ -74,14 +74,14 @@ pub enum Verdict {
     Fits,
     /// The law does not fit, for this reason.
     Contradicted(String),
-    /// The law is off, but these measurements cannot tell whether that is noise, for this reason.
+    /// The law deviates from the data. The measurements cannot decide whether the deviation is noise, for this reason.
     Undecided(String),
     /// The measurements leave nothing by which to judge.
     NotJudged,
 }
 
 impl Verdict {
-    /// True if the law fits; `None` if these measurements cannot tell.
+    /// True if the data are compatible with the law; `None` if the measurements cannot decide.
     pub fn is_compatible(&self) -> Option<bool> {
         match self {
             Self::Fits => Some(true),
@@ -90,12 +90,12 @@ impl Verdict {
         }
     }
 
-    /// Why the law does not fit; `None` if it may.
+    /// The reason why the law does not fit; `None` if it may fit.
     pub fn contradiction_reason(self) -> Option<String> {
         if let Self::Contradicted(reason) = self { Some(reason) } else { None }
     }
 
-    /// Why it cannot be judged whether the law fits, although it is off; `None` if it can.
+    /// The reason why the measurements cannot decide whether the law fits; `None` if they can.
     pub fn undecided_reason(self) -> Option<String> {
         if let Self::Undecided(reason) = self { Some(reason) } else { None }
     }

@@ -12,14 +12,14 @@ use super::unfinished;
 
 /// The end of a temporary name.
 const TEMPORARY_SUFFIX: &str = ".part";
-/// A temporary file that nobody has written to for so long was left by a killed run.
+/// A temporary file that has not been written to for this time is left from a killed run.
 const STALE_AGE: Duration = Duration::from_secs(3600);
 
-/// It is called after every change of the disk.
+/// A function that is called after every change of the disk.
 static ON_DISK_CHANGE: OnceLock<Box<dyn Fn() + Send + Sync>> = OnceLock::new();
 
-/// Has a function called after every step of writing: a file begun, some of its bytes written, synchronised, renamed or
-/// removed. Tests have signals come there. Only the first call counts.
+/// Sets the function that is called after every step of writing: a file created, some of its bytes written, synchronised, renamed or
+/// removed. Tests send signals there. Only the first call counts.
 pub fn on_disk_change(then: impl Fn() + Send + Sync + 'static) {
     ON_DISK_CHANGE.get_or_init(|| Box::new(then));
 }
@@ -32,7 +32,7 @@ fn notify_disk_change<T>(done: T) -> T {
     done
 }
 
-/// A file that is not in its place yet. It is removed unless it is put there.
+/// A file under a temporary name. It is removed unless [`AtomicFile::persist`] renames it.
 #[derive(Debug)]
 pub struct AtomicFile {
     file: File,
@@ -42,7 +42,7 @@ pub struct AtomicFile {
 }
 
 impl AtomicFile {
-    /// Begins a file under a random name beside its place. Follows no link and overwrites nothing.
+    /// Creates a file under a random name beside its final path. Follows no link and overwrites nothing.
     pub fn create(place: &Path) -> io::Result<Self> {
         refuse_special(place)?;
         let temporary = temporary_path(place)?;
@@ -60,7 +60,7 @@ impl AtomicFile {
         self.file.sync_all().map(notify_disk_change)
     }
 
-    /// Puts it in its place, over an older file.
+    /// Renames the file to its final path, and replaces an older file.
     pub fn persist(mut self) -> io::Result<()> {
         refuse_special(&self.target)?;
         fs::rename(&self.temporary, &self.target).map(notify_disk_change)?;
@@ -89,7 +89,7 @@ impl Drop for AtomicFile {
     }
 }
 
-/// Writes a single file, in place of an older one: complete and on the disk, or not at all. Makes its folder.
+/// Writes a single file, complete and on the disk, or not at all. Replaces an older file and makes the folder.
 pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
     fs::create_dir_all(parent_folder(place))?;
     let mut file = AtomicFile::create(place)?;
@@ -177,7 +177,7 @@ fn file_name(place: &Path) -> io::Result<OsString> {
     place.file_name().map(OsString::from).ok_or_else(nameless)
 }
 
-/// A name beside `place` that nobody else has.
+/// A unique name beside `place`.
 pub(super) fn temporary_path(place: &Path) -> io::Result<PathBuf> {
     let mut hidden = OsString::from(".");
     hidden.push(file_name(place)?);
@@ -185,7 +185,7 @@ pub(super) fn temporary_path(place: &Path) -> io::Result<PathBuf> {
     Ok(parent_folder(place).join(hidden))
 }
 
-/// Removes what killed runs left of this output an hour ago or more. Younger files may be those of a run at work.
+/// Removes temporary files of this output that killed runs left an hour ago or more. Younger files may belong to a run in progress.
 pub fn remove_stale(place: &Path) -> io::Result<()> {
     let mut before = OsString::from(".");
     before.push(file_name(place)?);

@@ -1,6 +1,6 @@
 //! How the program writes files. Every file goes through these steps:
 //!
-//! 1. It is made under a random name beside its place; no link is followed ([`AtomicFile`]).
+//! 1. It is created under a random name in the folder of its path; no link is followed ([`AtomicFile`]).
 //! 2. It is written and synchronised to the disk, so that all errors come before anything is replaced.
 //! 3. It is renamed, and the folder is synchronised to the disk. The summary, which names the scenario of the results, comes last.
 //!
@@ -8,8 +8,8 @@
 //! ([`OutputDirectory::check_replaceable`]), and the parts of a table. It never touches a file of the scenario. `--force` allows it to
 //! replace files of others that are in the way, and results of another scenario or of other options.
 //!
-//! Whenever the process is killed, each place holds either its old file or its new one, complete. Nothing is locked: of two
-//! processes that write the same file the last to rename it wins.
+//! If the process is killed, each path has either its complete old file or its complete new one. No file is locked: if two
+//! processes write the same file, the file of the last rename stays.
 
 mod atomic_file;
 pub mod progress;
@@ -46,8 +46,8 @@ pub struct OutputFile {
     pub bytes: Vec<u8>,
 }
 
-/// Makes the error of a place that cannot be written from that of the file system, for `map_err`. A full disk is a failure,
-/// all else has to change.
+/// Makes the error of a path that cannot be written from the error of the file system, for `map_err`. A full disk is a failure of the
+/// run; every other reason is an error of the input.
 pub fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
     use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
     move |reason| {
@@ -63,7 +63,7 @@ pub fn foreign_file_error(path: &Path) -> Error {
     Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
 }
 
-/// The error of a result that would take the place of a file that the scenario is, or reads.
+/// The error of a result that would replace the file of the scenario, or a file that the scenario reads.
 fn input_error(path: &Path) -> Error {
     let reason = "this file belongs to the scenario, and the results would take its place; name another --out";
     Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
@@ -86,25 +86,25 @@ pub enum ResultOrigin<'a> {
     Command(&'static str),
 }
 
-/// The results that are in a directory before a run, as their summary tells of them.
+/// The results that are in a directory before a run, as listed in their summary.
 #[derive(Debug)]
 struct EarlierResults {
     /// The files beside the summary.
     files: Vec<String>,
-    /// Says whose results the new ones replace. It is `None` if they are of this scenario, with the same text and overrides.
+    /// The owner of the results that the new results replace. `None` if they belong to this scenario, with the same text and overrides.
     replaced: Option<String>,
     /// True if this version of the program made them, with these numbers.
     is_of_this_version: bool,
 }
 
-/// A directory that was found writable. Unless something is written, those of its parents that had to be made are removed.
+/// A writable directory. Parent folders that were made for it are removed again if nothing is written.
 #[derive(Debug)]
 pub struct OutputDirectory {
     path: PathBuf,
     /// Made for this run, the deepest first.
     created: Vec<PathBuf>,
     earlier_results: Option<EarlierResults>,
-    /// The files that the scenario is, or reads. They are never removed or replaced.
+    /// The file of the scenario, and the files that it reads. They are never removed or replaced.
     inputs: Vec<PathBuf>,
     /// Set once the older results are removed.
     is_cleared: AtomicBool,
@@ -261,8 +261,8 @@ impl OutputDirectory {
         place.canonicalize().is_ok_and(|place| self.inputs.contains(&place))
     }
 
-    /// Writes all files, then puts them in place, the summary last. Returns the names of the earlier files of the same results
-    /// that were removed, as this run does not make them: such as pictures in another format.
+    /// Writes all files under temporary names, then renames them, the summary last. Returns the names of earlier files of the same
+    /// results that were removed because this run does not make them, such as pictures in another format.
     ///
     /// # Errors
     /// [`Error`] naming the file; then no file was replaced unless a rename itself failed halfway.
@@ -292,8 +292,8 @@ impl OutputDirectory {
         Ok(if self.replaced_results().is_some() { Vec::new() } else { removed })
     }
 
-    /// Removes the results of another text or other overrides: first their summary, so that it never stands beside newer files,
-    /// then all but those of these names. Does nothing when it is called again.
+    /// Removes the results of another text or other overrides: first their summary, so that it is never beside newer files, and then all
+    /// files except `keep`. A second call does nothing.
     pub fn remove_earlier_results(&self, keep: &[&str]) -> Result<(), Error> {
         if self.replaced_results().is_none() || self.is_cleared.swap(true, Ordering::Relaxed) {
             return Ok(());
@@ -302,8 +302,7 @@ impl OutputDirectory {
         self.remove_listed(keep).map(drop)
     }
 
-    /// Removes the files that the summary before this run lists, apart from those of these names. Returns the names of the files
-    /// that were there.
+    /// Removes the files that the summary before this run lists, except `keep`. Returns the names of the removed files.
     fn remove_listed(&self, keep: &[&str]) -> Result<Vec<String>, Error> {
         let listed = self.earlier_results.iter().flat_map(|before| &before.files);
         let mut removed = Vec::new();
@@ -315,8 +314,7 @@ impl OutputDirectory {
         Ok(removed)
     }
 
-    /// Removes a file of this name. A file of the scenario stays, and so does what is no ordinary file. Returns true if there was
-    /// one.
+    /// Removes a file of this name. Files of the scenario, and directories, links and devices stay. Returns true if a file was removed.
     fn remove_file(&self, name: &str) -> Result<bool, Error> {
         let place = self.path.join(name);
         let is_removed = place.symlink_metadata().is_ok_and(|data| data.is_file()) && !self.is_input(&place);

@@ -1,16 +1,16 @@
-//! How far a long computation is, and whether it has to stop. The computation counts and looks; whoever waits for it reads the
-//! count, and asks it to stop.
+//! Progress of a long computation, and its stop flag. The computation counts its work and reads the flag. The caller reads the count
+//! and sets the flag.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// How far a computation is, in pieces of work, and whether it has to stop.
+/// Progress of a computation in units of work, and its stop flag.
 #[derive(Debug, Default)]
 pub struct Progress {
     done: AtomicU64,
-    /// All of them; 0 where that is not known.
+    /// The total; 0 if it is not known.
     total: AtomicU64,
-    /// Set when the result is no longer wanted.
+    /// Set to stop the computation.
     stop: Arc<AtomicBool>,
 }
 
@@ -20,17 +20,17 @@ impl Progress {
         Self { stop, ..Self::default() }
     }
 
-    /// Adds pieces that are to be done.
+    /// Adds units of work to the total.
     pub fn add_total(&self, pieces: u64) {
         self.total.fetch_add(pieces, Ordering::Relaxed);
     }
 
-    /// Counts a piece as done.
+    /// Counts one unit of work as done.
     pub fn advance(&self) {
         self.done.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// Says how many are done, and how many there are.
+    /// Sets the number of finished units of work, and the total.
     pub fn set(&self, done: u64, total: u64) {
         self.done.store(done, Ordering::Relaxed);
         self.total.store(total, Ordering::Relaxed);
@@ -40,12 +40,12 @@ impl Progress {
         self.stop.store(true, Ordering::Relaxed);
     }
 
-    /// True if the computation has to stop. It then ends soon and gives no result.
+    /// True if the computation must stop. It then ends soon without a result.
     pub fn is_stopped(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
 
-    /// How many are done, and how many there are; 0 where that is not known.
+    /// The number of finished units of work, and the total, which is 0 if it is not known.
     pub fn counts(&self) -> (u64, u64) {
         (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))
     }

@@ -1,5 +1,4 @@
-//! The files that are being written and the folders that were made for them, so that a process which abandons its work leaves
-//! none of them behind.
+//! The files in progress and the folders that were made for them. A process that abandons its work removes them.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
@@ -22,7 +21,7 @@ fn lock_unfinished() -> MutexGuard<'static, Unfinished> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Makes a new file that is unfinished from now on.
+/// Creates a new file and notes it as unfinished.
 pub(super) fn begin(path: &Path) -> io::Result<File> {
     let mut unfinished = lock_unfinished();
     if unfinished.is_abandoned {
@@ -33,12 +32,12 @@ pub(super) fn begin(path: &Path) -> io::Result<File> {
     Ok(file)
 }
 
-/// The file is in its place, or removed.
+/// Notes that the file is renamed to its final path, or removed.
 pub(super) fn end(path: &Path) {
     lock_unfinished().files.remove(path);
 }
 
-/// These folders were made for the files; the deepest comes first.
+/// Notes folders that were made for the files; the deepest is first.
 pub(super) fn add_folders(folders: &[PathBuf]) {
     lock_unfinished().folders.extend_from_slice(folders);
 }

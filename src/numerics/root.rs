@@ -32,8 +32,8 @@ pub(crate) fn newton_bisection(
     x
 }
 
-/// Where `is_before` turns from true to false between two bounds, by 60 halvings: the last place before it and the first
-/// behind it.
+/// Bisects 60 times for the point at which `is_before` changes from true to false. Returns the last point before the change and the
+/// first point after it.
 pub fn bisect(mut low: f64, mut high: f64, mut is_before: impl FnMut(f64) -> bool) -> (f64, f64) {
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -51,7 +51,7 @@ pub(crate) fn illinois((mut low, mut high): (f64, f64), mut at: impl FnMut(f64) 
         // below it, rounding decides on the sign of the function
         let resolution = 64.0 * f64::EPSILON * high.abs();
         let mut x = low + (high - low) * (above / (above - below));
-        // a function that is 0 at an end says nothing of the zero that is sought
+        // a value of 0 at an end gives no direction for the next guess
         if guess % 4 == 0 || !(above > 0.0 && below < 0.0) {
             x = 0.5 * (low + high);
         }
@@ -75,8 +75,8 @@ pub(crate) fn illinois((mut low, mut high): (f64, f64), mut at: impl FnMut(f64) 
     high
 }
 
-/// The zero of a convex function below a place where it is positive and rises: from there Newton's method falls towards it,
-/// and ends where rounding stops the fall. `step` is the value over the derivative.
+/// The zero of a convex function below `start`, at which the function is positive and increases. Newton's method then decreases
+/// monotonically to the zero, and ends when rounding stops the decrease. `step` is the value over the derivative.
 #[inline]
 pub(crate) fn newton_convex(start: f64, step: impl Fn(f64) -> f64) -> f64 {
     let mut x = start;
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
     use crate::numerics::functions::{atan, exp};
 
-    /// [`newton_bisection`] to the last digit, and how often it asked.
+    /// [`newton_bisection`] to the last digit, and its number of evaluations.
     fn search(bounds: (f64, f64), first: f64, f: impl Fn(f64) -> (f64, f64)) -> (f64, u32) {
         let mut asked = 0;
         let is_near = |x: f64, next: f64| (next - x).abs() <= f64::EPSILON * next.abs();

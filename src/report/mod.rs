@@ -1,4 +1,4 @@
-//! From a result to its files. `run` has a file for each kind of scene, which computes it and collects its files; `text` makes
+//! From a result to its files. `run` has a file for each kind of scenario, which computes it and collects its files; `text` makes
 //! summaries, tables and lines for the terminal; `plot` makes pictures.
 
 pub mod chart;

@@ -1,4 +1,4 @@
-//! The request for a table, and how it is fulfilled: parts that are there are read, the others computed.
+//! The request for a table, and its work: existing parts are read, and the others are computed.
 
 use std::fs::{self, File};
 use std::io::{Seek as _, SeekFrom, Write as _};
@@ -31,8 +31,8 @@ pub struct TableJob<'a> {
     pub directory: &'a OutputDirectory,
     /// The scenario that the plan was read from.
     pub source: &'a ScenarioSource,
-    /// Counts the rows that are computed or found. If asked to stop, the job ends within a fraction of a second, unless a
-    /// single row takes longer.
+    /// Counts the rows that are computed or resumed. If it is stopped, the job ends within a fraction of a second, unless a single
+    /// row takes longer.
     pub progress: &'a Progress,
 }
 
@@ -43,19 +43,19 @@ pub struct FinishedTable {
     pub table: PathBuf,
     /// Counts of rows and failures, and the distribution of e.
     pub tally: Tally,
-    /// Rows that an earlier run had written, or another process.
+    /// Rows that an earlier run or another process wrote.
     pub resumed_rows: u64,
 }
 
 /// One piece of the work for a table.
 enum Task {
-    /// Read a part that is there.
+    /// Read an existing part.
     Read(u64),
     /// Compute some rows of a part that is missing.
     Compute(Range<u64>),
 }
 
-/// Some rows of a part, encoded; without a piece if they are in a file already.
+/// Some rows of a part, encoded; without a chunk if the rows are in a file already.
 struct EncodedChunk<T> {
     cases: Range<u64>,
     piece: Option<T>,
@@ -63,7 +63,7 @@ struct EncodedChunk<T> {
 }
 
 impl TableJob<'_> {
-    /// Writes the table, or what is missing of it.
+    /// Writes the table, or its missing parts.
     ///
     /// # Errors
     /// [`Error`]; parts written so far stay.
@@ -120,7 +120,7 @@ impl<F: TableEncoder> TableWriter<'_, F> {
     }
 
     fn part_path(&self, part: u64) -> PathBuf {
-        // with enough digits that the names sort in the order of the parts
+        // enough digits, so that the names sort in the order of the parts
         self.path(PARTS_FOLDER).join(format!("part-{part:05}.{}", self.job.format.name()))
     }
 
@@ -142,7 +142,7 @@ impl<F: TableEncoder> TableWriter<'_, F> {
             remove(&table).map_err(file_error("cannot be removed", &table))?;
             identity.create(job.directory)?;
         } else if is_joined && table.exists() {
-            // the table was finished, perhaps by another run; without its parts it is as good
+            // the table is finished, perhaps by another run, and its parts are removed
             let mut tally = Tally::new(job.plan);
             if self.read_part(&table, 0..layout.rows, &mut |count| tally.push(count))? {
                 remove_parts(job.directory)?;
@@ -158,7 +158,7 @@ impl<F: TableEncoder> TableWriter<'_, F> {
         Ok(FinishedTable { table, tally, resumed_rows: found })
     }
 
-    /// Puts the parts together, and removes them.
+    /// Joins the parts to one file, and removes them.
     fn join_parts(&self) -> Result<(), Error> {
         let (table, header) = (self.path(&self.name), self.form.header());
         let unwritable = unwritable_error(&table);
@@ -174,17 +174,17 @@ impl<F: TableEncoder> TableWriter<'_, F> {
         remove_parts(self.job.directory)
     }
 
-    /// Reads a file that ought to hold these cases. Returns true if it is whole.
+    /// Reads a file that should have these cases. Returns true if the file is complete.
     fn read_part(&self, path: &Path, cases: Range<u64>, count: &mut dyn FnMut(RowOutcome)) -> Result<bool, Error> {
         self.form.read(path, cases.end - cases.start, count).map_err(file_error("cannot be read", path))
     }
 
-    /// Reads the parts of this table or shard that are there, and computes the others; as one file all is computed. Returns
-    /// the counts of all rows, and how many were there.
+    /// Reads the existing parts of this table or shard, and computes the others. A table of one file is computed as a whole. Returns the
+    /// counts of all rows, and the number of resumed rows.
     fn compute_missing_parts(&self, layout: PartLayout, is_one_file: bool) -> Result<(Tally, u64), Error> {
         let job = self.job;
         let path = |part| if is_one_file { self.path(&self.name) } else { self.part_path(part) };
-        // rows may be slow, and a signal has to be heard between two pieces
+        // rows may be slow, so a signal must be noticed between two chunks
         let step = F::BATCH_ROWS.min(self.layout.rows_per_part / 64).max(1);
         let pieces = |part: u64| {
             let cases = layout.part_cases(part);
@@ -194,7 +194,7 @@ impl<F: TableEncoder> TableWriter<'_, F> {
         let mine = || (0..layout.n_parts()).filter(|part| job.shard.is_none_or(|shard| shard.contains(*part)));
         let total = mine().map(|part| layout.part_cases(part)).map(|cases| cases.end - cases.start).sum();
         let tasks = mine().flat_map(|part| -> Box<dyn Iterator<Item = Task> + Send> {
-            // looked for when its turn comes: another process may have written it in the meantime
+            // the part is looked up late, because another process may have written it in the meantime
             if !is_one_file && path(part).exists() {
                 Box::new(std::iter::once(Task::Read(part)))
             } else {
@@ -210,7 +210,7 @@ impl<F: TableEncoder> TableWriter<'_, F> {
             Error::new(ErrorKind::Stopped(130), format!("interrupted after {rows} of {total} rows; {then}"))
         };
         let with_statistics = job.plan.statistics_columns();
-        // rows of pieces that are done: their memory serves the next ones
+        // rows of finished chunks: their memory is reused
         let spare = Mutex::new(Vec::new());
         let compute = |cases: Range<u64>| {
             if job.progress.is_stopped() {
@@ -249,7 +249,7 @@ impl<F: TableEncoder> TableWriter<'_, F> {
                 *open = Some(writer);
                 return Ok(());
             }
-            // the part is whole: it is put in its place
+            // the part is complete: it gets its final name
             let file = self.form.finish(writer).and_then(|file| file.sync().map(|()| file)).map_err(&unwritable)?;
             if is_one_file {
                 job.directory.remove_earlier_results(&[&self.name])?;

@@ -1,4 +1,4 @@
-//! How a table is divided into parts, and the file that says to which table the parts in a folder belong.
+//! The division of a table into parts, and the file that identifies the table of the parts in a folder.
 
 use std::ffi::{OsStr, OsString};
 use std::ops::Range;
@@ -22,12 +22,12 @@ pub const MAX_PARTS_OF_ONE_FILE: u64 = 16;
 pub const MAX_JOINED_ROWS: u64 = 10_000_000;
 /// The folder of the parts, beside the summary.
 pub const PARTS_FOLDER: &str = "parts";
-/// The file that says which table it is.
+/// The file that identifies the table.
 pub const IDENTITY_FILE: &str = "_table.json";
 
-/// The most rows of a part.
+/// The maximum number of rows of a part.
 const MAX_ROWS_PER_PART: u64 = 1 << 18;
-/// More parts than this make a slow folder.
+/// The maximum number of parts: a folder with more files is slow.
 const MAX_PARTS: u64 = 1 << 16;
 
 /// The parts of a table.
@@ -58,7 +58,7 @@ impl PartLayout {
         shard.is_some() || self.n_parts() > MAX_PARTS_OF_ONE_FILE || directory.path().join(IDENTITY_FILE).exists()
     }
 
-    /// How many parts there are.
+    /// The number of parts.
     pub fn n_parts(&self) -> u64 {
         self.rows.div_ceil(self.rows_per_part)
     }
@@ -82,7 +82,7 @@ fn is_part(name: impl AsRef<OsStr>) -> bool {
     name.as_ref().as_encoded_bytes().starts_with(b"part-")
 }
 
-/// Makes way for other results where a table was begun in parts. Its parts are refused, or removed by force.
+/// Clears the folder for other results if a table was begun in parts there: an error, or the parts are removed by force.
 pub fn clear_parts(directory: &OutputDirectory) -> Result<(), Error> {
     let (folder, identity) = (directory.path().join(PARTS_FOLDER), directory.path().join(IDENTITY_FILE));
     let names = names_in(&folder)?;
@@ -183,7 +183,7 @@ impl TableIdentity {
         }
     }
 
-    /// In what another table differs: the first entry that is not the same.
+    /// The first entry in which another table differs.
     fn difference(&self, there: &str) -> String {
         let object = |text: &str| serde_json::from_str::<serde_json::Map<String, Value>>(text).ok();
         let (Some(ours), Some(theirs)) = (object(&self.to_text()), object(there)) else {

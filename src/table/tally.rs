@@ -54,7 +54,7 @@ impl Tally {
     pub fn push(&mut self, count: RowOutcome) {
         self.rows += 1;
         match count {
-            // an answer, not a failure
+            // a row outside of the law has a known reason and is no failure
             Err(RowFailure::OutsideLaw) => self.outside_law += 1,
             Err(_) => self.failures += 1,
             Ok(values) => {

@@ -99,7 +99,7 @@ fn shift_exponent(digits: &str, exponent: i32) -> String {
     format!("{sign}{before:0<whole$}.{after}").trim_end_matches('.').to_owned()
 }
 
-/// In the SI unit and in a suitable unit: "0.005 m (5 mm)". Only in the suitable one if both are the same, or if the number in
+/// The quantity in the SI unit and in a suitable unit: "0.005 m (5 mm)". Only in the suitable unit if both are the same, or if the number in
 /// SI has more than six digits.
 pub fn format_si_and_short(value: f64, dimension: Dimension) -> String {
     let (exact, short) = (format_si(value, dimension), format_input(value, dimension));

@@ -2,7 +2,7 @@
 //!
 //! Beside quantities it has other text that people read and write: aligned tables, CSV, and names of options with "did you mean".
 //!
-//! This module knows neither scenarios nor mechanics. One table holds every unit. Where a unit is a power of ten of the SI
+//! This module does not depend on scenarios or mechanics. One table holds every unit. Where a unit is a power of ten of the SI
 //! unit, its exponent is added to that of the decimal text, which is then rounded to binary once: "5 mm" is the same number
 //! as 0.005.
 

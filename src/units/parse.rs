@@ -57,7 +57,7 @@ const MAX_SHORT: usize = 3;
 /// Reads a quantity with its unit and gives it in SI.
 ///
 /// # Errors
-/// The text, what is wrong, and what would be understood.
+/// The text, the mistake, and the accepted forms.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Error> {
     parse_named(text, dimension, dimension.name(), dimension.example()).map_err(Error::input)
 }

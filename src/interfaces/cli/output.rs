@@ -1,4 +1,4 @@
-//! The options that say what a run writes, where, and what it shows.
+//! The options for the output of a run: files, directory, terminal.
 
 use std::ffi::OsString;
 use std::fmt::Display;

@@ -34,7 +34,7 @@ pub fn error(error: &Error) -> u8 {
     exit_code
 }
 
-/// Makes an error of the system into one that says what failed, for `map_err`.
+/// Adds to an error of the system what failed, for `map_err`.
 pub fn failed_with<E: Display>(failure: impl Display) -> impl FnOnce(E) -> Error {
     move |reason| Error::failed(format!("{failure}: {reason}"))
 }

@@ -80,7 +80,7 @@ pub struct Watch {
     pub counted: &'static str,
     /// Time that the work has to stop by itself after a signal; then it is abandoned.
     pub grace_period: Duration,
-    /// Tells what abandoned work leaves, and what to do then.
+    /// States what abandoned work leaves, and what to do then.
     pub on_abandon: &'static str,
 }
 
@@ -166,7 +166,7 @@ impl Watch {
         done
     }
 
-    /// True if lines tell the progress, as no terminal shows a bar.
+    /// True if the progress is printed as lines, because no terminal shows a bar.
     fn is_logged(&self) -> bool {
         !self.is_quiet && !io::stderr().is_terminal()
     }

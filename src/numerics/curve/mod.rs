@@ -95,8 +95,9 @@ impl LoadingCurve {
         self.push_piece(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).with_shift(start))
     }
 
-    /// Lets the curve go on from `start` to `end` as a formula says that is singular at `pole` < `start` and nowhere nearer:
-    /// a piece for every octave of the distance from there. The formula is also asked 3 % of that distance outside of both.
+    /// Continues the curve from `start` to `end` by a formula, as one polynomial for every octave of the distance from `pole`. The
+    /// nearest singular point of the formula is `pole` < `start`. The formula is evaluated up to 3 % of that distance outside of
+    /// `start` and `end`.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few octaves
     pub fn then_fitted(mut self, start: f64, end: f64, pole: f64, formula: impl Fn(f64) -> f64) -> Self {
         let whole = (end - pole) / (start - pole);
@@ -121,7 +122,7 @@ impl LoadingCurve {
         self
     }
 
-    /// True if pieces of it stand for a formula.
+    /// True if some pieces are polynomials, fitted to a formula.
     pub(crate) fn has_polynomial_pieces(&self) -> bool {
         self.pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)))
     }
@@ -169,8 +170,8 @@ impl LoadingCurve {
         self.pieces[self.index_at(x)].work_at(x)
     }
 
-    /// The last place that a sphere of this energy and speed reaches fast enough for its series. Without one, the start of
-    /// the curve.
+    /// Time and work at the last knot whose series converges for a sphere of this kinetic energy and speed. Without such a knot, the
+    /// start of the curve.
     #[inline(always)]
     pub(crate) fn transit(&self, kinetic: f64, speed: f64) -> Transit {
         let start = Transit { piece: 0, work: 0.0, time: 0.0 };

@@ -30,7 +30,7 @@ pub enum Shape {
         /// 1/√s, for the times on the piece.
         inverse_root: f64,
     },
-    /// Anything else that is smooth and increases, on a stretch.
+    /// Any other smooth and increasing force, on an interval.
     Polynomial(Arc<FittedPolynomial>),
     /// An unloading branch, from its zero on.
     Unloading(UnloadingCurve),
@@ -48,7 +48,8 @@ impl Shape {
         Self::Linear { slope, inverse_root: 1.0 / slope.sqrt() }
     }
 
-    /// Returns this force on a piece that starts so much later; a branch is not cut, as it begins at first touch.
+    /// Returns this force on a piece whose start is moved by the distance `by`. An unloading branch always starts at its zero and does
+    /// not change.
     pub(crate) fn with_shift(&self, by: f64) -> Self {
         match self {
             Self::Power { stiffness, exponent, offset } => {
@@ -176,8 +177,8 @@ impl Piece {
         self.start + self.turning_distance(work - self.work, 0.0)
     }
 
-    /// The distance from the start of the piece to where a motion turns that begins there with the energy `rest` ≥ 0, pulled by
-    /// a constant force `pull` ≥ 0.
+    /// The distance from the start of the piece to the turning point of a motion. The motion begins at the start with the kinetic
+    /// energy `rest` ≥ 0, and a constant force `pull` ≥ 0 acts on it.
     #[inline(always)]
     pub(crate) fn turning_distance(&self, rest: f64, pull: f64) -> f64 {
         match &self.shape {

@@ -1,12 +1,12 @@
-//! A smooth force on one stretch as a polynomial, from which its work, the way of a work and times follow in a few products.
+//! A smooth force on one interval as a polynomial. Its work, the distance for a given work, and travel times follow in a few products.
 //!
 //! ```text
-//! f = P(t),   w = d Q(t),   t = t_0 + s d        d: distance from the start of the stretch, s = dt/dx
+//! f = P(t),   w = d Q(t),   t = t_0 + s d        d: distance from the start of the interval, s = dt/dx
 //! ```
 //!
-//! P goes through Chebyshev's nodes of an interval that is a little longer at both ends. Q is the quotient of its integral, so
-//! that the work has all digits however short the way. Where the distance from the nearest singular point of the force doubles
-//! over the stretch, P is off by 5⁻¹⁸ and less of the force, which is rounding.
+//! P interpolates the force at Chebyshev nodes of an interval that is a little longer at both ends. Q is the integral of P over d,
+//! divided by d, so the work has all digits at any small d. If the distance from the nearest singular point of the force doubles
+//! over the interval, the relative error of P is at most 5⁻¹⁸, which is below rounding.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -20,12 +20,12 @@ const N_COEFFICIENTS: usize = 18;
 /// Coefficients of the powers of t.
 type Terms = [f64; N_COEFFICIENTS];
 
-/// How far beyond both ends a polynomial holds, over the distance of that end from the singular point. Derivatives have more
-/// digits inside of the interval than at its ends, and a motion that nearly turns at the end is followed a little beyond.
+/// How far a polynomial is valid beyond both ends, relative to the distance of that end from the singular point. Derivatives have more
+/// digits inside of the interval than at its ends, and a motion with its turning point near the end is followed a little beyond.
 const EXTRAPOLATION_MARGIN: f64 = 0.03;
 
-/// Below this share of a way behind its end, where the motion would turn, the rule for the time would lose digits. It is less
-/// than twice [`EXTRAPOLATION_MARGIN`], as a way is up to half of the distance from the singular point.
+/// The quadrature of the time loses digits if the turning point lies beyond the end by less than this fraction of the distance. The
+/// fraction is less than twice [`EXTRAPOLATION_MARGIN`], because the distance is at most half of the distance from the singular point.
 pub(super) const NEAR_END_SHARE: f64 = 0.06;
 
 struct FitTables {
@@ -85,7 +85,7 @@ fn work_quotient(force: &Terms, t_1: f64) -> Terms {
     quotient
 }
 
-/// A rising force on one stretch.
+/// An increasing force on one interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedPolynomial {
     /// t_0.
@@ -100,8 +100,8 @@ pub struct FittedPolynomial {
 }
 
 impl FittedPolynomial {
-    /// A function of x from `from` to `to`, which is singular at `pole` < `from` and nowhere nearer. It is also asked 3 % of
-    /// that distance before `from` and behind `to`.
+    /// Fits a function of x from `from` to `to`. Its nearest singular point is `pole` < `from`. The function is evaluated up to 3 % of
+    /// the distance from `pole` outside of both ends.
     pub fn fit(f: impl Fn(f64) -> f64, from: f64, to: f64, pole: f64) -> Self {
         let FitTables { nodes, weights, powers } = &*FIT;
         let (low, high) = (from - EXTRAPOLATION_MARGIN * (from - pole), to + EXTRAPOLATION_MARGIN * (to - pole));
@@ -118,7 +118,7 @@ impl FittedPolynomial {
         Self { first, scale: 1.0 / half, force, work: work_quotient(&force, first), length: to - from }
     }
 
-    /// Returns this force on a stretch that starts so much later.
+    /// Returns this force on an interval whose start is moved by the distance `by`.
     pub fn with_shift(&self, by: f64) -> Self {
         let first = self.first + by * self.scale;
         Self { first, length: self.length - by, work: work_quotient(&self.force, first), ..*self }
@@ -156,10 +156,10 @@ impl FittedPolynomial {
         d * value(&self.work, self.first + d * self.scale)
     }
 
-    /// Where a motion turns that begins at the start with the energy `rest` against a constant `pull`; up to a little beyond
-    /// the end.
+    /// The turning distance of a motion that begins at the start with the kinetic energy `rest`, under a constant force `pull`; up to a
+    /// little beyond the end.
     pub fn turning_distance(&self, rest: f64, pull: f64) -> f64 {
-        // first that of the straight force that takes the same work up to the end
+        // the first guess is for a linear force that does the same work up to the end
         let [first, mean] = [0.0, self.length].map(|d| value(&self.work, self.first + d * self.scale));
         let slope = 2.0 * (mean - first) / self.length;
         let net = first - pull;

@@ -7,7 +7,7 @@
 //! t = (1/q) ∫ dx/√(1 − w/E) = (1/q) Σ c_k E^(−k),   c_k = (2k)!/(4^k k!²) ∫ w^k dx from 0 to x_i
 //! ```
 //!
-//! The c_k belong to the curve. They are computed from those of the knot before when the first impact needs them. Up to
+//! The c_k belong to the curve. They are computed from the c_k of the previous knot when the first impact needs them. Up to
 //! w_i = E/10 fourteen terms are enough: the rest of the series is below 1e-16 of the time of loading. A hardening half-space
 //! and a sphere that yields have about 40 to 100 pieces, and this series gives the time on most of them.
 

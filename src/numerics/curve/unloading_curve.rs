@@ -71,8 +71,8 @@ impl UnloadingCurve {
         }
     }
 
-    /// The distance at which a motion turns that begins at zero with the energy `rest` against a constant `pull`. Work and force
-    /// are convex: Newton's method falls from the end.
+    /// The turning distance of a motion that begins at zero with the kinetic energy `rest`, under a constant force `pull`. Work and
+    /// force are convex, so Newton's method converges monotonically from the end.
     pub fn turning_distance(&self, rest: f64, pull: f64) -> f64 {
         newton_convex(self.length, |d| {
             let ([f, ..], work) = self.derivatives_and_work(d);

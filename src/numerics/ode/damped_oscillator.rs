@@ -1,4 +1,4 @@
-//! Closed form of the way outward along a straight piece whose drag is linear and below critical: d'' = −(a + b d) − c d'
+//! Closed form of the motion along a linear piece during loading, with linear drag below critical: d'' = −(a + b d) − c d'
 //! (see [`DampedLinearEquation`]).
 //!
 //! With y = d + a/b, β = c/2 and ω² = b − β² > 0, from y_0 and u_0 = y_0':
@@ -54,7 +54,7 @@ impl DampedOscillator {
         atan2(self.frequency * (of_speed * u + of_place * y), falls) / self.frequency
     }
 
-    /// The state after the time t, at a place that may be known better; the loss follows from the energy.
+    /// The state after the time t. `place` is its distance, if this is known exactly. The loss follows from the energy balance.
     fn state(&self, time: f64, place: Option<f64>) -> MotionState {
         let (y, speed) = self.displacement_and_speed(time);
         let travelled = place.map_or(y - self.y, |distance| distance - self.start.distance);
@@ -64,7 +64,7 @@ impl DampedOscillator {
         MotionState { time: self.start.time + time, distance, speed, loss }
     }
 
-    /// Carries the state to the end of the leg, or to where it turns.
+    /// Carries the state to the end of the leg, or to its turning point.
     pub fn finish_leg(
         self,
         path: &LegProblem,

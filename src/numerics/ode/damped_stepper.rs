@@ -1,11 +1,10 @@
 //! The stepper of rk8 for motions with drag: Dormand-Prince 8(5,3) on regularised variables, landed on every event. Straight
 //! pieces need no steps during loading if the drag is linear: see `damped_oscillator.rs`.
 //!
-//! **Landing.** The step that would reach the end of the leg, by the speed and its rate at the start of the step, is made a
-//! little longer than that. Where a step has passed an event, the event is located on the continuous solution of the step,
-//! which costs three evaluations. If it lies near the end of the step, the state there is that of the continuous solution,
-//! whose error vanishes at both ends of the step with the square of the distance. If it lies well inside, a step that ends
-//! a little behind it is taken in place of this one.
+//! **Landing.** Speed and acceleration at the start of a step predict the end of the leg. A step that would reach it is made a little
+//! longer. If a step has passed an event, the event is located on the dense output of the step, which costs three evaluations.
+//! If the event is near the end of the step, its state is taken from the dense output, whose error vanishes at both ends of the
+//! step with the square of the distance. If the event is well inside, the step is repeated with an end a little beyond the event.
 
 use super::damped_oscillator::DampedOscillator;
 use super::dop853::{self, ContinuousExtension, DENSE_OUTPUT_EVALUATIONS, EVALUATIONS};
@@ -21,7 +20,8 @@ use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
 use crate::numerics::root::newton_bisection;
 
-/// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
+/// The fraction of the tolerance that is the error limit of one step. The energy error of a whole impact is then at most ten times
+/// the tolerance.
 const STEP_TOLERANCE_SHARE: f64 = 0.05;
 
 /// The first step on a leg is this times tolerance^(1/8) in units of 1/ω.
@@ -32,9 +32,9 @@ const MAX_STEP: f64 = 2.0;
 
 /// A step to the predicted end of a leg is longer by this factor.
 const OVERSHOOT: f64 = 1.005;
-/// Up to here in a step (0 ≤ θ ≤ 1) its continuous solution may have a larger error than the step.
+/// Below this θ (0 ≤ θ ≤ 1) the dense output may have a larger error than the step.
 pub(super) const RESTEP_BELOW_THETA: f64 = 0.98;
-/// How often the step to an event is taken again.
+/// The maximum number of repetitions of the step to an event.
 pub(super) const MAX_RESTEPS: u32 = 3;
 
 /// The least share of the error of order 5 that counts as the error of a step.

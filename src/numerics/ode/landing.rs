@@ -29,9 +29,9 @@ pub(super) struct PredictedEnd {
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LandedState {
-    /// The landed state; its g is that of the step, not that of the corrected y.
+    /// The state at the end. Its g belongs to the y of the step, not to the corrected y.
     pub(super) node: NystromState,
-    /// The landing added this to the step.
+    /// The correction that the landing added to the step.
     pub(super) correction: f64,
     /// Square of the first term left out of the series. If it is small, the landing is good.
     pub(super) left_out_squared: f64,
@@ -40,7 +40,7 @@ pub(super) struct LandedState {
 }
 
 impl PredictedEnd {
-    /// The end of a leg: energy gives whether an outward leg reaches the end of its piece, and how fast.
+    /// Predicts the end of a leg. The energy shows whether a loading leg reaches the end of its piece, and at which speed.
     #[inline(always)]
     pub(super) fn predict<F: NystromEquation>(field: F, leg: Leg, y: f64, u: f64) -> Self {
         let energy = 0.5 * u * u + field.potential(y);
@@ -58,15 +58,15 @@ impl PredictedEnd {
         Self { end, y, u, g: field.g(y), direction }
     }
 
-    /// 2 h times the largest speed still ahead. If that is shorter than the way to the target, the step ends before it and
-    /// the landing need not be predicted.
+    /// 2 h times the largest speed until the end. If this is shorter than the distance to the end, the step ends before it, and no
+    /// landing is predicted.
     #[inline(always)]
     pub(super) fn max_advance(&self, now: &NystromState, h: f64) -> f64 {
         h * 2.0 * now.u.abs().max(self.u.abs())
     }
 
-    /// The step to take, and the way to the target: that way if it is no longer than `h`, half of it if `h` would leave a
-    /// tiny step for the end, else `h`.
+    /// The step to take, and the step that reaches the end. The step to take is the step to the end if this is at most `h`, half of
+    /// it if `h` would leave a tiny last step, and otherwise `h`.
     #[inline(always)]
     pub(super) fn controlled_step(&self, now: &NystromState, h: f64) -> (f64, f64) {
         let last = self.step_to_end(now);

@@ -40,7 +40,7 @@ impl Leg {
     }
 }
 
-/// Sizes of the variables, so that one relative tolerance serves all of them: an error is measured against these.
+/// Scales of the variables. An error is divided by its scale, so one relative tolerance applies to all variables.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorScales {
     pub distance: f64,
@@ -49,8 +49,8 @@ pub struct ErrorScales {
 
 /// The drag, a force against the motion in addition to the restoring force g: drag = (χ g + η √g') d' + θ g' d'.
 ///
-/// The first two terms are in the contact: they are a part of its force, and so they count where it vanishes and where it is
-/// largest. The third acts on the motion alone, as where the ground gives way at a speed in proportion to the force.
+/// The first two terms are a part of the contact force, so they count where this force vanishes and where it is largest. The third term
+/// acts on the motion alone: a plate gives way at a speed that is proportional to the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DampingCoefficients {
     /// χ: drag in proportion to the force.
@@ -79,14 +79,14 @@ impl DampingCoefficients {
         self.viscous != 0.0 || self.plate != 0.0
     }
 
-    /// The drags per speed, in the contact and on the motion, where the force is `force`; its slope is asked for only if it
-    /// counts.
+    /// Drag over speed in the contact, and on the motion, at this force. `slope` is called only if a coefficient needs the slope of
+    /// the force.
     #[inline]
     pub fn rates_at_force(self, force: f64, slope: impl FnOnce() -> f64) -> (f64, f64) {
         self.per_speed(force, if self.needs_slope() { sqrt_slope(slope()) } else { 0.0 })
     }
 
-    /// χ g + η √g' and θ g', the drags per speed in the contact and on the motion.
+    /// χ g + η √g' and θ g': drag over speed in the contact, and on the motion.
     #[inline(always)]
     pub fn per_speed(self, force: f64, root_of_slope: f64) -> (f64, f64) {
         (force * self.hunt_crossley + self.viscous * root_of_slope, self.plate * root_of_slope * root_of_slope)
@@ -99,14 +99,15 @@ fn sqrt_slope(slope: f64) -> f64 {
     nan_max(slope, 0.0).sqrt()
 }
 
-/// A place where a damped motion may come to rest. It does so where it is both near and slow enough.
+/// A distance at which a damped motion may come to rest. The motion is at rest if both its distance from there and its speed are
+/// small enough.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RestCriterion {
     /// Its distance along the piece.
     pub distance: f64,
-    /// How far from there still counts as rest.
+    /// The largest difference from this distance that counts as rest.
     pub tolerance: f64,
-    /// The largest speed that still counts as rest.
+    /// The largest speed that counts as rest.
     pub largest_speed: f64,
 }
 
@@ -217,7 +218,7 @@ impl LegProblem<'_> {
         has_turned.then(|| self.finish(LegEnd::Turning, at, state, f64::NEG_INFINITY))
     }
 
-    /// Ends a leg in the state `at`; inside of it the contact force was `largest` at most.
+    /// Ends a leg in the state `at`. `largest` is the largest contact force inside of the leg.
     pub(super) fn finish(&self, landing: LegEnd, at: MotionState, state: &mut MotionState, largest: f64) -> LegResult {
         // at the end of the leg exactly, or where the motion came to
         let distance = if landing == LegEnd::PieceEnd { self.leg.end() } else { at.distance };

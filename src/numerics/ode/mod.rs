@@ -41,9 +41,9 @@ impl std::ops::Add for SolverStats {
     }
 }
 
-/// Most steps of a leg, accepted and rejected. Only with a drag of hundreds of times the critical one are more needed: explicit
-/// steps are then no longer than the fast decay, and the creep lasts as long as the slow decay. The ratio of the two grows
-/// with the square of the drag.
+/// The maximum number of steps of a leg, accepted and rejected. More steps are needed only if the drag is hundreds of times the critical
+/// drag. Explicit steps are then limited by the fast decay, and the creep lasts as long as the slow decay. The ratio of the two
+/// times grows with the square of the drag.
 pub(crate) const MAX_STEPS: u64 = 100_000;
 
 /// Why an integration stopped. Times and steps are dimensionless.
@@ -82,7 +82,7 @@ pub enum IntegrationError {
         "friction needs more than {steps} steps in this contact; lower the coefficient of friction, or leave out angle and spin"
     )]
     TooManyFrictionSteps { steps: u64 },
-    /// A motion damped far beyond critical, which creeps, or whose fast decay leaves only tiny steps.
+    /// The damping is far above critical: the motion creeps, or its fast decay allows only tiny steps.
     #[error(
         "no end of the contact within {steps} steps: it is damped so strongly that it creeps, or that steps are no longer than the fast decay; lower the damping, whose unit may be mistaken"
     )]
@@ -91,8 +91,8 @@ pub enum IntegrationError {
     NotFinite { time: f64 },
 }
 
-/// A stretch of a motion with its continuous solution: the state at any time of the stretch. Times are absolute, distances
-/// those of the leg.
+/// One step with its continuous solution: the state at any time of the step. Times are absolute, and distances are measured along the
+/// leg.
 pub struct DenseOutput {
     pub end: f64,
     at: Box<dyn Fn(f64) -> MotionState + Send + Sync>,
@@ -103,7 +103,7 @@ impl DenseOutput {
         Self { end, at: Box::new(at) }
     }
 
-    /// The state at a time of the stretch.
+    /// The state at a time of the step.
     pub fn state_at(&self, time: f64) -> MotionState {
         (self.at)(time)
     }
@@ -111,14 +111,14 @@ impl DenseOutput {
 
 impl std::fmt::Debug for DenseOutput {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Segment").field("end", &self.end).finish_non_exhaustive()
+        f.debug_struct("DenseOutput").field("end", &self.end).finish_non_exhaustive()
     }
 }
 
 /// Carries a state along smooth pieces.
 pub trait Integrator {
-    /// From `state` to where the path ends; `state` is then that landing: distance equal to the end, or speed zero, exactly.
-    /// The continuous solution is appended to `track`; it changes neither the steps nor the [`SolverStats`].
+    /// Integrates from `state` to the end of the leg. `state` is then exactly at the end: its distance is the end, or its speed is zero.
+    /// The dense output is appended to `track`. Dense output changes neither the steps nor the [`SolverStats`].
     ///
     /// # Errors
     /// [`IntegrationError`] if the step underflows, the steps run out, or the state is not finite.

@@ -13,7 +13,7 @@ pub enum AxisScale {
     Linear,
     /// Equal ratios have equal lengths; values ≤ 0 are not drawn.
     Log,
-    /// Whole numbers, each with a label, such as the places of columns.
+    /// Whole numbers, each with a label, such as the positions of columns.
     Count,
 }
 
@@ -53,7 +53,7 @@ impl Axis {
         !["", "HV", "°", "%", "MPa", "µs"].contains(&&*self.unit) && !self.unit.starts_with("kg")
     }
 
-    /// An axis of the places 1 to `count`.
+    /// An axis of the positions 1 to `count`.
     #[allow(clippy::cast_precision_loss)] // a handful
     pub fn ordinal(title: &str, count: usize) -> Self {
         Self { scale: AxisScale::Count, ..Self::linear(title, "").with_range(0.0, count as f64 + 1.0) }

@@ -1,5 +1,5 @@
-//! The words of a scenario in a picture: the names of its keys, and the line below the title, which says who hits whom under
-//! which law. A picture that has left its folder still says what it shows.
+//! Texts of a scenario in a picture: the names of its keys, and the line below the title, which states the bodies and the law. A
+//! picture without its folder still shows what it is about.
 
 use crate::contact::body::Material;
 use crate::contact::law::{LawChoice, UnloadingExponent};
@@ -11,7 +11,7 @@ use crate::scenario::kinds::indentation::IndentationRequest;
 use crate::strings::capitalise;
 use crate::units::{Dimension, format_four_digits, format_result};
 
-/// The bodies and the law of a scene, without the keys that vary in the picture.
+/// The bodies and the law of a scenario, without the keys that vary in the picture.
 pub fn caption(input: &Input, varied: &[&str]) -> String {
     let varies = |beginning: &str| varied.iter().any(|path| path.starts_with(beginning));
     let unless_varied = |path: &str, text: String| Some(text).filter(|_| !varies(path));

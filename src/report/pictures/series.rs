@@ -50,7 +50,7 @@ fn flight_points(flight: &Flight, points: u32, over: impl Fn(f64) -> f64) -> Vec
     times.map(|time| (over(time), flight.height_at(time))).collect()
 }
 
-/// The path of a ball that hops along: the height of its lowest point over the place along the surface.
+/// The path of a ball that bounces at an angle: the height of its lowest point over the position along the surface.
 pub fn path_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Option<Chart> {
     let flights: Vec<&Flight> = sequence.impacts.iter().filter_map(|hit| hit.flight.as_ref()).collect();
     sequence.impacts.first()?.tangential_speed().filter(|_| !flights.is_empty())?;

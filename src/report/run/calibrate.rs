@@ -44,7 +44,7 @@ fn calibration_notes(found: &Calibration) -> Vec<String> {
     let input = found.input();
     let Ok(contact) = input.contact() else { return Vec::new() };
     let mut notes = strength_notes(&input, &contact, &input.law(), &[]);
-    // a strength that was found is that of the impacts
+    // a fitted strength is the strength at the strain rates of the impacts
     let is_found =
         found.keys.iter().any(|key| Body::ALL.into_iter().any(|body| key.free.key.path == body.yield_strength()));
     notes.retain(|note| !(is_found && note.starts_with(WHICH_STRENGTH)));
@@ -96,7 +96,7 @@ fn warnings(found: &Calibration) -> Vec<String> {
         .collect()
 }
 
-/// Doubts a strength or a hardness that is far from that of the material that the body names.
+/// Warns if a fitted strength or hardness is far from the value of the material that the body names.
 fn material_doubt(key: &KeyEstimate, input: &Input) -> Option<String> {
     let choice = input.materials().iter().find(|choice| key.free.key.path.starts_with(choice.body.table_name()))?;
     let hardness = choice.material.get(Property::Hardness)?.value.value;

@@ -25,7 +25,7 @@ pub struct CsvEncoder {
 /// An axis with up to this number of values is converted to text before the first row, which takes some milliseconds.
 const MAX_PRERENDERED: usize = 1 << 15;
 
-/// The values of an axis as text, unless they are very many.
+/// The values of an axis as text; empty for a long axis.
 fn render_axis_values(column: &TableColumn) -> Vec<Vec<u8>> {
     let render = |value: &f64| zmij::Buffer::new().format(*value).as_bytes().to_vec();
     match column {
@@ -47,7 +47,7 @@ impl CsvEncoder {
         Self { header: (names.join(",") + "\n").into_bytes(), fields, with_statistics }
     }
 
-    /// These rows as lines.
+    /// Formats rows as lines of CSV.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // places on an axis are whole numbers
     pub fn rows_as_lines(&self, rows: &Rows) -> Vec<u8> {
         // numbers take up to 24 characters
@@ -87,7 +87,7 @@ impl CsvEncoder {
         text
     }
 
-    /// How a row counts; `None` if it is not whole.
+    /// The outcome of a row; `None` if the line is not complete.
     fn parse_line(&self, line: &[u8]) -> Option<RowOutcome> {
         let line = std::str::from_utf8(line).ok()?;
         let (before, status) = line.rsplit_once(',')?;

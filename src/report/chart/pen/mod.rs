@@ -15,7 +15,7 @@ use super::{BACKGROUND, Marker, Style};
 use crate::error::Error;
 use crate::numerics::functions::hypot;
 
-/// A place on the picture \[px\], measured from its upper left corner.
+/// A point on the picture \[px\], measured from its upper left corner.
 pub type Point = (f64, f64);
 
 /// Smallest distance of text from the edge of the picture \[px\].
