@@ -26,6 +26,7 @@ use crate::numerics::curve::LoadingCurve;
 use crate::strings::names::named_enum;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{ContactLaw, LawInfo, YieldingPair};
+use plm::hardening::Hardening;
 pub use plm::unloading_rule::PlmUnloadingRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 pub use published::{LawError, Loading};
@@ -178,7 +179,7 @@ impl Law {
     }
 
     /// The hardening of the yielding body, if it hardens.
-    pub(crate) fn hardening(&self) -> Option<&plm::hardening::Hardening> {
+    pub(crate) fn hardening(&self) -> Option<&Hardening> {
         if let UnloadingRule::Plm(rule) = &self.unloading_rule { rule.hardening.as_ref() } else { None }
     }
 
