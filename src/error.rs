@@ -62,10 +62,10 @@ pub struct Details {
     pub allowed: Option<String>,
     /// The key that has to be given too, with dots.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub needs: Option<String>,
+    pub missing_key: Option<String>,
     /// The other mistakes that were found with this one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub others: Vec<Details>,
+    pub more_errors: Vec<Details>,
 }
 
 impl Error {
@@ -113,7 +113,7 @@ impl Error {
         mistakes.into_iter().reduce(|mut all, other| {
             all.other_errors.push(other.text);
             all.other_errors.extend(other.other_errors);
-            all.details.others.push(*other.details);
+            all.details.more_errors.push(*other.details);
             all
         })
     }
@@ -136,7 +136,7 @@ impl Error {
         if let Some(text) = text(&self.details, &self.text) {
             self.text = text;
         }
-        for (also, details) in self.other_errors.iter_mut().zip(&self.details.others) {
+        for (also, details) in self.other_errors.iter_mut().zip(&self.details.more_errors) {
             if let Some(text) = text(details, also) {
                 *also = text;
             }
@@ -154,7 +154,7 @@ impl Error {
 
     /// Adds the key that has to be given too, if there is one.
     pub fn with_missing_key(mut self, key: Option<&str>) -> Self {
-        self.details.needs = key.map(str::to_owned);
+        self.details.missing_key = key.map(str::to_owned);
         self
     }
 

@@ -165,8 +165,7 @@ impl OutputDirectory {
         let (own, is_other_text) = match origin {
             ResultOrigin::File { sha256, .. } if sha256 == hash => return before(None),
             ResultOrigin::File { path, overrides_sha256, .. } => {
-                let is_same_file =
-                    self.relative_path(path).is_some_and(|seen| Some(&*seen) == noted(RELATIVE_SCENARIO));
+                let is_same_file = self.relative_path(path).is_some_and(|seen| Some(&*seen) == noted(SCENARIO_PATH));
                 if is_same_file && noted(OVERRIDES) == overrides_sha256 {
                     return before(Some(format!("the results of {other} as it was")));
                 }
@@ -180,7 +179,7 @@ impl OutputDirectory {
         if self.is_forced {
             return before(Some(format!("the results of {other}")));
         }
-        let whose = if is_other_text && noted(RELATIVE_SCENARIO).is_none() {
+        let whose = if is_other_text && noted(SCENARIO_PATH).is_none() {
             format!("holds the results of another text from {other}")
         } else {
             format!("holds results of {other}, and these are of {own}")
@@ -326,7 +325,7 @@ impl OutputDirectory {
 }
 
 /// The key of a summary with the relative path to its scenario.
-const RELATIVE_SCENARIO: &str = "scenario_from_here";
+const SCENARIO_PATH: &str = "scenario_path";
 /// The key of a summary with the hash of the overrides.
 const OVERRIDES: &str = "overrides_sha256";
 

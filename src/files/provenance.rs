@@ -15,7 +15,7 @@ pub const PROGRAM: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_V
 
 /// Version of the form of all outputs. Raise it when a key or a column is renamed, removed or put elsewhere, or changes its
 /// unit or meaning; a new key beside the others needs no new version.
-pub const FORMAT_VERSION: u64 = 2;
+pub const FORMAT_VERSION: u64 = 3;
 
 /// Version of the numbers in tables. Raise it when any number of a table changes, even in its last digit, or when rows are
 /// dealt out to shards in another way: rows of different versions are not put into one table.
@@ -43,7 +43,7 @@ pub struct Provenance {
     /// Relative path of that file from the folder of the results. By it a later run recognises its own results; `None` without
     /// file or folder.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub scenario_from_here: Option<String>,
+    pub scenario_path: Option<String>,
     /// SHA-256 of the scenario's text, its overrides and the coefficients that it names, hexadecimal.
     pub scenario_sha256: String,
     /// SHA-256 of the overrides of the command line alone. A later run recognises results with the same overrides by it; `None` without

@@ -103,7 +103,7 @@ impl Requirement {
     }
 }
 
-/// The values of all existing results, by name. A name with a dot belongs to a group: `energy.drift` is `drift` in `energy`.
+/// The values of all existing results, by name. A name with a dot belongs to a group: `energy.balance_error` is `balance_error` in `energy`.
 pub fn to_fields<T>(results: &[ResultSpec<T>], subject: &T) -> Map<String, Value> {
     let mut all = Map::new();
     for ResultSpec { name, value, .. } in results {

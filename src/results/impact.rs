@@ -37,7 +37,7 @@ impl SingleImpact<'_> {
     }
 
     /// Which body flows.
-    fn yielding_bodies(&self) -> &'static str {
+    fn yielding_body(&self) -> &'static str {
         match self.contact.pair().yield_point.map(|point| point.yield_partition) {
             Some(flow) if self.impact.has_dent() => match flow {
                 _ if flow.is_shared() => "both",
@@ -118,16 +118,16 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "plate_loss_fraction" in Percent as "the plate takes {} of the normal energy"
             [Thickness: ImpactRow::plate_loss_fraction];
         /// Zener's inelasticity parameter: 0 for a thick plate; from 1 on little comes back.
-        "inelasticity" as "Zener's number {}" [Thickness: |row| row.plate.map(|plate| plate.inelasticity)];
+        "zener_number" as "Zener's number {}" [Thickness: |row| row.plate.map(|plate| plate.zener_number)];
         /// How many plate thicknesses a wave travels during the contact time on a half-space: below 2 the plate acts as a
         /// half-space, from 10 on it is thin.
-        "plate_thinness" as "wave travels {} thicknesses" if PLATE: single.if_plate(|plate| plate.thinness);
+        "plate_wave_transits" as "wave travels {} thicknesses" if PLATE: single.if_plate(|plate| plate.wave_transits);
         /// How far the plate has moved at separation.
         "plate_displacement_m" in Length as "plate moves by"
             [Thickness: |row| row.plate.map(|plate| plate.displacement)];
         /// How far away an edge must be, so that no bending wave comes back from it during the contact.
-        "plate_reach_m" in Length as "edges beyond {}"
-            [Thickness: |row| row.plate.map(|plate| plate.reach).filter(|reach| reach.is_finite())];
+        "plate_wave_reach_m" in Length as "edges beyond {}"
+            [Thickness: |row| row.plate.map(|plate| plate.wave_reach).filter(|reach| reach.is_finite())];
         /// Energy radiated as elastic waves, to first order, over the kinetic energy of the motion normal to the half-space.
         "wave_loss_fraction" in Percent as "waves take {} of the normal energy" [Density: |row| row.wave_loss_fraction];
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
@@ -201,7 +201,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "contact_radius_over_R" as "{} of the sphere's radius" [Nothing: |row| Some(row.radius_ratio)];
         /// 1 where the contact radius or the indentation is outside of the range that the law holds for, or is stated for: take
         /// the row for an estimate; else 0.
-        "is_outside_law" if TABLES [Nothing: |row| Some(f64::from(u8::from(row.is_outside_law)))];
+        "is_outside_validity" if TABLES [Nothing: |row| Some(f64::from(u8::from(row.is_outside_validity)))];
         /// Peak force over the contact area there.
         "peak_mean_pressure_Pa" in Pressure as "mean pressure {}": single.impact.peak_mean_pressure;
         /// The part of the largest indentation that is recovered on unloading.
@@ -216,7 +216,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Diameter of the flat on the sphere: that of the contact at the peak; `null` without one.
         "flat_diameter_m" in Length as "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
         /// Which body flows: `half_space`, `sphere`, `both`, or `none`.
-        "yields" as "yields" if FLATTENS: single.if_sphere_yields(single.yielding_bodies());
+        "yielding_body" as "yields" if FLATTENS: single.if_sphere_yields(single.yielding_body());
         /// Effective radius of the contact on unloading.
         "unloading_radius_m" in Length if YIELDS: single.if_yields(single.impact.unloading_radius);
         /// Radius of curvature of the dent; `null` without one.
@@ -238,7 +238,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// By how much the strength of the body that yields is raised at that rate.
         "rate_factor" as "strength raised by {}" [Rate: |row| row.strain_rate_result.map(|rated| rated.factor)];
         /// By how much that strength is raised where the sphere turns, as the metal relaxes there.
-        "rate_factor_at_turn" as "at the turn {}" [Rate: |row| row.strain_rate_result.map(|rated| rated.factor_at_turn)];
+        "rate_factor_at_peak" as "at the turn {}" [Rate: |row| row.strain_rate_result.map(|rated| rated.factor_at_peak)];
         /// Share of the normal kinetic energy that comes back: the square of the restitution.
         "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())];
         /// Energy spent on the dent over the normal kinetic energy; under gravity it may exceed 1.
@@ -259,8 +259,8 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Time from first touch to the first step without a pushing force; `null` for a captured sphere.
         "verlet.separation_time_s" in Time as "separation {}" if VERLET: single.if_fixed_steps(|seen| seen.separation_time);
         /// Relative error of the energy at the end of the contact; positive for a gain.
-        "verlet.energy_drift_at_end" in Error as "energy off by {} at the end" if VERLET:
-            single.if_fixed_steps(|_| ()).map(|()| single.impact.energy.drift_at_end);
+        "verlet.energy_error_at_end" in Error as "energy off by {} at the end" if VERLET:
+            single.if_fixed_steps(|_| ()).map(|()| single.impact.energy.error_at_end);
         /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below. With a body
         /// that is free to move, of their relative motion.
         "energy.kinetic_in_J" in Energy as "energy": single.impact.energy.kinetic_in;
@@ -278,7 +278,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "energy.stored_at_separation_J" in Energy as "{%} left in the contact" if VISCOUS:
             single.if_forces(|under| under.stored_at_separation).flatten();
         /// Kinetic and elastic energy where the computation of a captured sphere ends.
-        "energy.left_J" in Energy as "{%} left in sphere and contact" if CAPTURED: single.if_forces(|under| under.left).flatten();
+        "energy.remaining_J" in Energy as "{%} left in sphere and contact" if CAPTURED: single.if_forces(|under| under.remaining_energy).flatten();
         /// Work of gravity since first touch: the weight times the way of the sphere's centre, which a plate below it lengthens.
         "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: single.if_forces(|under| under.gravity_work).flatten();
         /// Kinetic energy along the half-space and of the spin at first touch.
@@ -288,10 +288,10 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Energy taken by friction.
         "energy.friction_J" in Energy as "{%} into friction" if OBLIQUE: single.if_oblique(|friction| friction.loss);
         /// Change of the angular momentum about the contact point, relative: it stays but for rounding.
-        "energy.angular_momentum_drift" in Error if OBLIQUE: single.if_oblique(|friction| friction.momentum_drift);
+        "energy.angular_momentum_error" in Error if OBLIQUE: single.if_oblique(|friction| friction.momentum_error);
         /// Largest error of the energy balance on the way, as a share of the energy put in: kinetic energy at first touch, and
         /// with gravity the work of the weight down to the peak.
-        "energy.drift" in Error as "balance off by {}": single.impact.energy.drift;
+        "energy.balance_error" in Error as "balance off by {}": single.impact.energy.balance_error;
         /// Restitution of the closed form; `null` where the scene has none, as for the two errors below.
         "accuracy.closed_form_restitution" as "closed form": single.impact.accuracy.closed_form_restitution;
         /// Relative difference of the restitution from the closed form.

@@ -121,7 +121,7 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         "energy.friction_J" in Energy if OBLIQUE:
             series.sequence.impacts.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
         /// Largest error of the energy balance of any impact.
-        "energy.drift" in Error as "energy balance off by": series.sequence.max_drift();
+        "energy.balance_error" in Error as "energy balance off by": series.sequence.max_balance_error();
         /// Impacts that the trace has: the first ones of a long series.
         "traced_impacts": series.sequence.traced_impacts.len();
         /// Where the scene, the model or the run is doubtful.
@@ -204,11 +204,11 @@ pub fn impact_columns() -> Vec<ResultSpec<(usize, SeriesImpact)>> {
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
         "stored_at_separation_J" in Energy if VISCOUS: row.1.forces_value(|forces| forces.stored_at_separation);
         /// Kinetic and elastic energy where the computation of a captured sphere ends.
-        "left_J" in Energy if CAPTURED: row.1.forces_value(|forces| forces.left);
+        "remaining_J" in Energy if CAPTURED: row.1.forces_value(|forces| forces.remaining_energy);
         /// Work of gravity since first touch.
         "gravity_work_J" in Energy if GRAVITY: row.1.forces_value(|forces| forces.gravity_work);
         /// Error of the energy balance.
-        "energy_drift" in Error: row.1.energy.drift;
+        "energy_balance_error" in Error: row.1.energy.balance_error;
     }
 }
 

@@ -85,7 +85,7 @@ impl Scenario {
             version: VERSION,
             numbers_version: RESULTS_VERSION,
             scenario_file: self.document.name().to_owned(),
-            scenario_from_here: self.from_results.clone(),
+            scenario_path: self.from_results.clone(),
             scenario_sha256: self.sha256(),
             overrides_sha256: self.overrides_sha256(),
             command: command.to_owned(),

@@ -23,7 +23,7 @@ def test_impact_has_results_of_summary(contact: plm.Contact) -> None:
     results = impact.to_dict()
     assert results and all(outcome.summary[name] == value for name, value in results.items() if name != "warnings")
     assert impact.restitution == outcome.summary["restitution"]
-    assert impact.energy["drift"] == outcome.summary["energy"]["drift"]
+    assert impact.energy["balance_error"] == outcome.summary["energy"]["balance_error"]
     assert np.array_equal(impact.trace, outcome.trace)
     assert impact.picture == outcome.pictures["force_indentation"]
     assert {"restitution", "contact_time_s", "trace"} <= set(dir(impact))

@@ -44,7 +44,7 @@ def same(column: np.ndarray, written: list[str]) -> None:
 
 
 # what depends on the folder of the results and on the pictures that were asked for
-OF_THE_RUN = {"command", "files", "scenario_from_here"}
+OF_THE_RUN = {"command", "files", "scenario_path"}
 
 
 def without_command(summary: dict) -> dict:

@@ -4,7 +4,7 @@
 //! `scenarios/`, on the scenarios of this folder with many keys set in turn (`runs.rs`), and on `validate`.
 //! It takes all results of all files that they write (`numbers.rs`), and compares them with `record.json`. No value may
 //! move by more than 1e-12 of the largest value of its column; counts of steps, words and empty cells may not change.
-//! Sums of rounding, such as the drift of the energy, may move by 1e-12 of what they are a share of.
+//! Sums of rounding, such as the error of the energy balance, may move by 1e-12 of what they are a share of.
 //!
 //! The record has a line for every column of every file of every run (for JSON, a column is a path of keys). A column
 //! with one row stands there as it is. A longer one stands there as its number of rows, the mean magnitude, which sees
@@ -140,9 +140,9 @@ fn record_detects_structural_changes() {
     assert_eq!(record::differences(&recorded(&zero), &runs_of(&tiny)).len(), 1);
     assert_eq!(record::differences(&recorded(&tiny), &runs_of(&zero)).len(), 1);
 
-    let drift = |size: f64| -> Columns {
-        [(("summary.json".to_owned(), "energy.drift".to_owned()), vec![Cell::Number(size)])].into()
+    let balance_error = |size: f64| -> Columns {
+        [(("summary.json".to_owned(), "energy.balance_error".to_owned()), vec![Cell::Number(size)])].into()
     };
-    assert!(record::differences(&recorded(&drift(3e-16)), &runs_of(&drift(-2e-15))).is_empty());
-    assert_eq!(record::differences(&recorded(&drift(3e-16)), &runs_of(&drift(3e-12))).len(), 1);
+    assert!(record::differences(&recorded(&balance_error(3e-16)), &runs_of(&balance_error(-2e-15))).is_empty());
+    assert_eq!(record::differences(&recorded(&balance_error(3e-16)), &runs_of(&balance_error(3e-12))).len(), 1);
 }

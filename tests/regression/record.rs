@@ -16,7 +16,7 @@ const LOOSE: [(&str, f64); 3] =
 
 /// Columns of what would be zero without rounding, such as a balance of energies. They are shares of something, so 1 is
 /// the size that counts, and not the largest of their own values.
-const SHARES: [&str; 4] = ["drift", "error", "deviation", "drift_at_end"];
+const SHARES: [&str; 3] = ["error", "deviation", "error_at_end"];
 
 /// The record keeps this of a column.
 #[derive(Debug, Clone, Serialize, Deserialize)]

@@ -158,7 +158,7 @@ fn results_of_other_file_stay_for_any_path() {
     let (code, said) = run("", "b/../a/./case.toml", "z");
     assert!(code == Some(0) && said.contains("z: replaced the results of case.toml as it was"), "{said}");
     // a summary names no path of this machine, and results and scenario know each other where both are moved together
-    assert_eq!(desk.json("z/summary.json")["provenance"]["scenario_from_here"], "../a/case.toml");
+    assert_eq!(desk.json("z/summary.json")["provenance"]["scenario_path"], "../a/case.toml");
     fs::create_dir(desk.path("moved")).unwrap();
     for name in ["a", "z"] {
         fs::rename(desk.path(name), desk.path("moved").join(name)).unwrap();

@@ -40,7 +40,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
     assert_eq!(swept, want);
     let header = table.lines().next().unwrap();
     assert!(header.ends_with(
-        "restitution,contact_time_s,peak_force_N,peak_indentation_m,contact_radius_over_R,is_outside_law,residual_indentation_m,dent_diameter_m,recovered_fraction,plastic_fraction,status"
+        "restitution,contact_time_s,peak_force_N,peak_indentation_m,contact_radius_over_R,is_outside_validity,residual_indentation_m,dent_diameter_m,recovered_fraction,plastic_fraction,status"
     ));
     let first: Vec<&str> = table.lines().nth(1).unwrap().split(',').collect();
     let impact = contact(STEEL, &["impact.speed=3", "sphere.radius=0.002"]).closed_form(3.0).unwrap();
@@ -60,10 +60,10 @@ fn rows_outside_the_law_have_a_status() {
     let (table, _) = table(&format!("{STEEL}{sweep}"));
     let ratios = numbers(&table, "contact_radius_over_R");
     assert!(ratios[..5].is_sorted() && ratios[0] < 0.2 && ratios[5].is_nan(), "{ratios:?}");
-    for (ratio, is_outside) in ratios.iter().zip(numbers(&table, "is_outside_law")).take(5) {
+    for (ratio, is_outside) in ratios.iter().zip(numbers(&table, "is_outside_validity")).take(5) {
         assert_eq!(is_outside, f64::from(u8::from(*ratio > 0.45)), "{ratio}");
     }
-    assert_eq!(numbers(&table, "is_outside_law").iter().filter(|is_outside| **is_outside == 1.0).count(), 2);
+    assert_eq!(numbers(&table, "is_outside_validity").iter().filter(|is_outside| **is_outside == 1.0).count(), 2);
     assert_eq!(column(&table, "status"), ["ok", "ok", "ok", "ok", "ok", "outside_law"]);
 }
 

@@ -37,4 +37,4 @@ export const FIRST = ["steel-on-steel.toml", "--set", "half_space.strength_kind=
 export const read = (name) => readFileSync(join(SCENARIOS, name), "utf8");
 
 /** A summary without the command line and the way from the results to the scenario, which differ. */
-export const withoutCommand = (summary) => summary.replace(/\n *"(command|scenario_from_here)": .*/g, "");
+export const withoutCommand = (summary) => summary.replace(/\n *"(command|scenario_path)": .*/g, "");

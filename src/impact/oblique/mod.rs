@@ -87,7 +87,7 @@ pub struct ObliqueResult {
     /// Energy absorbed by friction \[J\], ½ (m*/j)(s_0² − s_1²).
     pub loss: f64,
     /// Change of m v_t R + I ω, over the larger of its two parts.
-    pub momentum_drift: f64,
+    pub momentum_error: f64,
 }
 
 /// Friction on one row of a trace. SI units.
@@ -341,7 +341,7 @@ impl<'a> ObliqueImpact<'a> {
             kinetic_in: energy(before, spin_before),
             recovered: energy(speed, spin) + of_target,
             loss: 0.5 * self.contact.reduced_mass() * self.friction_loss(slip),
-            momentum_drift: if size > 0.0 { (parts[0] + parts[1]).abs() / size } else { 0.0 },
+            momentum_error: if size > 0.0 { (parts[0] + parts[1]).abs() / size } else { 0.0 },
         }
     }
 

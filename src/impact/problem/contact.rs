@@ -43,7 +43,7 @@ pub struct StrainRateResult {
     /// g of the yielding body; if both bodies yield, the mean of both weighted by their fractions of the yielding.
     pub factor: f64,
     /// g_t, at maximum compression.
-    pub factor_at_turn: f64,
+    pub factor_at_peak: f64,
     /// The strain-rate hardening; `None` if the body with a strain-rate dependence does not yield.
     pub(in crate::impact) rate: Option<StrainRateHardening>,
 }

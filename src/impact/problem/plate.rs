@@ -53,7 +53,7 @@ named_enum! {
 }
 
 /// The largest λ with a result: e is below 3e-7 there.
-const MAX_INELASTICITY: f64 = 20.0;
+const MAX_ZENER_NUMBER: f64 = 20.0;
 
 /// Why an impact on a plate is not possible.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -80,11 +80,11 @@ pub enum PlateError {
         least: f64,
     },
     #[error(
-        "the plate takes all of the impact: Zener's number is {inelasticity:.4}, above {MAX_INELASTICITY}, where an elastic contact has a restitution of 0.679/{inelasticity:.4}^5 = {restitution:.1e}; half_space.thickness must be above {least:.3e} m"
+        "the plate takes all of the impact: Zener's number is {zener_number:.4}, above {MAX_ZENER_NUMBER}, where an elastic contact has a restitution of 0.679/{zener_number:.4}^5 = {restitution:.1e}; half_space.thickness must be above {least:.3e} m"
     )]
     TooThin {
         /// λ.
-        inelasticity: f64,
+        zener_number: f64,
         /// e of an elastic contact.
         restitution: f64,
         /// Least thickness \[m\].
@@ -111,9 +111,9 @@ pub(in crate::impact) struct ScaledPlate {
     /// y = Y Φ/V.
     pub(in crate::impact) mobility: f64,
     /// λ.
-    pub(in crate::impact) inelasticity: f64,
+    pub(in crate::impact) zener_number: f64,
     /// X.
-    pub(in crate::impact) thinness: f64,
+    pub(in crate::impact) wave_transits: f64,
 }
 
 impl ContactPlate {
@@ -140,7 +140,7 @@ impl ContactPlate {
     }
 
     /// 2 √(c t) \[m\], c = c_p h/√12: no bending wave returns within the time t from an edge that is farther away.
-    pub(in crate::impact) fn reach(&self, time: f64) -> f64 {
+    pub(in crate::impact) fn wave_reach(&self, time: f64) -> f64 {
         2.0 * (self.wave_speed * self.plate.thickness / 12.0_f64.sqrt() * time).sqrt()
     }
 
@@ -154,17 +154,17 @@ impl ContactPlate {
         free_time: f64,
     ) -> Result<ScaledPlate, PlateError> {
         let Self { plate: Plate { thickness, theory, .. }, mass, wave_speed, mobility: thin } = *self;
-        let thinness = wave_speed * free_time / thickness;
-        let inelasticity = thin * mass * pow(hertz_stiffness * speed.sqrt() / mass, 0.4);
-        if inelasticity > MAX_INELASTICITY {
-            let restitution = 0.679 * powi(inelasticity, -5);
-            let least = thickness * (inelasticity / MAX_INELASTICITY).sqrt();
-            return Err(PlateError::TooThin { inelasticity, restitution, least });
+        let wave_transits = wave_speed * free_time / thickness;
+        let zener_number = thin * mass * pow(hertz_stiffness * speed.sqrt() / mass, 0.4);
+        if zener_number > MAX_ZENER_NUMBER {
+            let restitution = 0.679 * powi(zener_number, -5);
+            let least = thickness * (zener_number / MAX_ZENER_NUMBER).sqrt();
+            return Err(PlateError::TooThin { zener_number, restitution, least });
         }
         let mobility = match theory {
             PlateTheory::Zener => thin,
-            PlateTheory::Thick => thin * (1.0 + 1.86 / thinness),
+            PlateTheory::Thick => thin * (1.0 + 1.86 / wave_transits),
         };
-        Ok(ScaledPlate { plate: *self, mobility: mobility * scales.force / scales.speed, inelasticity, thinness })
+        Ok(ScaledPlate { plate: *self, mobility: mobility * scales.force / scales.speed, zener_number, wave_transits })
     }
 }

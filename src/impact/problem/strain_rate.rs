@@ -91,16 +91,16 @@ impl Contact {
     fn solve_rate(&self, rates: &RateDependence, speed: f64) -> Result<Self, ImpactError> {
         let Some(point) = self.pair().yield_point else { return self.with_factors(rates, 1.0) };
         let (w, factor) = self.loading_factor(rates, &point.yield_partition, speed)?;
-        let factor_at_turn = rates.factor(&point.yield_partition, RATE_SHARES[1] * w);
+        let factor_at_peak = rates.factor(&point.yield_partition, RATE_SHARES[1] * w);
         let raised = self.with_factors(rates, factor)?;
-        let mut contact = if factor_at_turn == factor {
+        let mut contact = if factor_at_peak == factor {
             raised
         } else {
-            raised.with_peak_strength(self.with_factors(rates, factor_at_turn)?, factor_at_turn / factor)
+            raised.with_peak_strength(self.with_factors(rates, factor_at_peak)?, factor_at_peak / factor)
         };
         let rate = rates.hardening_of_flow(&point.yield_partition);
         contact.strain_rate_result =
-            Some(StrainRateResult { strain_rate: RATE_SHARES[0] * w, factor, factor_at_turn, rate });
+            Some(StrainRateResult { strain_rate: RATE_SHARES[0] * w, factor, factor_at_peak, rate });
         Ok(contact)
     }
 

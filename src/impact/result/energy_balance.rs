@@ -33,7 +33,7 @@ pub struct TraceRow {
     pub friction: Option<FrictionState>,
     pub event: Option<Event>,
     /// (kinetic + stored + lost)/(½ m v²) − 1.
-    pub energy_drift: f64,
+    pub energy_balance_error: f64,
 }
 
 /// The energy balance of one impact, in units of Φ L: kinetic + stored + lost in dent and drag − m g δ = ½ m v². On a plate its
@@ -55,19 +55,19 @@ impl<'a> EnergyBalance<'a> {
     }
 
     /// The error of the sum, over ½ m v² + m g δ_m. During loading W(x) is the stored and the plastic energy together.
-    fn drift(&self, speed: f64, potential: f64, loss: f64, indentation: f64) -> f64 {
+    fn balance_error(&self, speed: f64, potential: f64, loss: f64, indentation: f64) -> f64 {
         let sunk = |x: f64| self.case.forces.weight * (x - self.case.ground.first_contact());
         let put_in = self.kinetic + sunk(self.outcome.unloading.peak.indentation);
         (0.4 * speed * speed + potential + loss - sunk(indentation) - self.kinetic) / put_in
     }
 
     /// The error at the end of the contact.
-    pub(in crate::impact) fn drift_at_end(&self) -> f64 {
+    pub(in crate::impact) fn error_at_end(&self) -> f64 {
         let ScaledResult { unloading, end_indentation: x, end_speed, loss, end: fate, .. } = *self.outcome;
         // at the bottom of the dent no energy is stored, but x has too few digits to show this
         let is_at_dent = fate == ImpactEnd::Separated && !self.case.forces.damping.can_lift_off();
         let stored = if is_at_dent { 0.0 } else { unloading.stored_energy(x) };
-        self.drift(end_speed, self.input_energy + stored, loss, x)
+        self.balance_error(end_speed, self.input_energy + stored, loss, x)
     }
 
     /// Kinetic and elastic energy at the end of the contact. On a plate the sphere moves with the plate.
@@ -79,12 +79,12 @@ impl<'a> EnergyBalance<'a> {
     }
 
     /// The error at the peak. With damping the loss up to the peak is not known, and the error is set to 0.
-    pub(in crate::impact) fn drift_at_peak(&self) -> f64 {
+    pub(in crate::impact) fn error_at_peak(&self) -> f64 {
         if !self.case.forces.is_conservative() {
             return 0.0;
         }
         let peak = &self.outcome.unloading.peak;
-        self.drift(0.0, self.case.ground.loading_work(peak), 0.0, peak.indentation)
+        self.balance_error(0.0, self.case.ground.loading_work(peak), 0.0, peak.indentation)
     }
 
     /// The row of the trace at a point of the motion.
@@ -117,7 +117,7 @@ impl<'a> EnergyBalance<'a> {
             branch,
             friction: None,
             event,
-            energy_drift: self.drift(speed, potential, loss / FORCE_FACTOR, x),
+            energy_balance_error: self.balance_error(speed, potential, loss / FORCE_FACTOR, x),
         }
     }
 }

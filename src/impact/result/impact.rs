@@ -27,9 +27,9 @@ pub struct Energy {
     pub plastic: Option<f64>,
     /// Largest |kinetic + stored + lost − ½ m v²| / ½ m v² at the peak, at separation and on every row of the trace: the error that
     /// the run itself can detect.
-    pub drift: f64,
-    /// The error of the energy balance at the end of the contact, relative as `drift`; positive for a gain.
-    pub drift_at_end: f64,
+    pub balance_error: f64,
+    /// The error of the energy balance at the end of the contact, relative as `balance_error`; positive for a gain.
+    pub error_at_end: f64,
 }
 
 /// The error of the integration against the closed form (both relative).
@@ -72,7 +72,7 @@ pub struct ForcesResult {
     /// left then, so the damping of the contact absorbs this energy afterwards. `None` if the contact has recovered by rule.
     pub stored_at_separation: Option<f64>,
     /// Kinetic and elastic energy \[J\] where the run of a captured sphere ends.
-    pub left: Option<f64>,
+    pub remaining_energy: Option<f64>,
     /// m g times the displacement of the centre of the sphere since first contact \[J\]: its indentation, and the plate.
     pub gravity_work: Option<f64>,
 }
@@ -148,13 +148,13 @@ impl Impact {
         let peak = &outcome.unloading.peak;
         let ledger = EnergyBalance::new(contact, case, outcome);
         let mut trace: Vec<TraceRow> = points.iter().map(|point| ledger.row(point)).collect();
-        let rows = trace.iter().map(|row| row.energy_drift);
-        let drift = rows
-            .chain([ledger.drift_at_peak(), ledger.drift_at_end()])
+        let rows = trace.iter().map(|row| row.energy_balance_error);
+        let balance_error = rows
+            .chain([ledger.error_at_peak(), ledger.error_at_end()])
             .fold(0.0, |worst, d: f64| nan_max(worst, d.abs()));
-        if !drift.is_finite() {
+        if !balance_error.is_finite() {
             // from the first row of the trace on, or from the end
-            let row = trace.iter().find(|row| !row.energy_drift.is_finite());
+            let row = trace.iter().find(|row| !row.energy_balance_error.is_finite());
             let time = row.map_or(outcome.contact_time, |row| row.time / scales.time());
             return Err(IntegrationError::NotFinite { time }.into());
         }
@@ -178,7 +178,7 @@ impl Impact {
                 damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
                 stored_at_separation: lifts_off
                     .then(|| outcome.unloading.stored_energy(outcome.end_indentation) * energy),
-                left: is_captured.then(|| ledger.remaining_energy() * energy),
+                remaining_energy: is_captured.then(|| ledger.remaining_energy() * energy),
                 gravity_work: contact.forces().gravity.map(|_| forces.weight * sunk * energy),
             }
         });
@@ -204,8 +204,8 @@ impl Impact {
                 centre_of_mass: contact.target_mass().map(|target| kinetic_in * (contact.mass() / target)),
                 recovered: kinetic_in * essentials.recovered_fraction(),
                 plastic: pair.yield_point.map(|_| ground.plastic_work(&outcome.unloading) * energy),
-                drift,
-                drift_at_end: ledger.drift_at_end(),
+                balance_error,
+                error_at_end: ledger.error_at_end(),
             },
             stats: *work,
             accuracy: Accuracy::from_outcomes(outcome, exact),

@@ -37,7 +37,7 @@ pub struct ImpactRow {
     /// a_m/R \[1\], with the radius of the smaller ball.
     pub radius_ratio: f64,
     /// True if a_m/R or δ_m is outside of the range of validity of the law, or outside of its stated range.
-    pub is_outside_law: bool,
+    pub is_outside_validity: bool,
     /// ½ m* v² \[J\]: without the motion of the centre of mass, which does not change.
     pub kinetic_in: f64,
     /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
@@ -61,21 +61,21 @@ pub struct ImpactRow {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlateResult {
     /// λ \[1\].
-    pub inelasticity: f64,
+    pub zener_number: f64,
     /// X \[1\]: number of plate thicknesses that a wave travels in the contact time on a half-space.
-    pub thinness: f64,
+    pub wave_transits: f64,
     /// Energy in the plate \[J\] at separation, or at the end of the run of a captured sphere.
     pub energy: f64,
     /// Displacement of the plate at that time \[m\].
     pub displacement: f64,
     /// 2 √(c t_c) \[m\]: bending waves return in time from an edge that is nearer; infinite for a captured sphere.
-    pub reach: f64,
+    pub wave_reach: f64,
 }
 
 impl PlateResult {
     /// The results from an outcome; `contact_time` \[s\] may be infinite.
     fn from_scaled(case: &ScaledImpact, outcome: &ScaledResult, contact_time: f64) -> Option<Self> {
-        let ScaledPlate { plate: under, mobility: y, inelasticity, thinness } = case.plate?;
+        let ScaledPlate { plate: under, mobility: y, zener_number, wave_transits } = case.plate?;
         let ScaledImpact { scales, ground, q, forces: ScaledForces { weight, .. }, .. } = *case;
         let ScaledResult { unloading, end_indentation, end_speed: u, .. } = outcome;
         // the run of a captured sphere ends where the contact still has a force
@@ -88,11 +88,11 @@ impl PlateResult {
         let moved = y * (weight * outcome.contact_time + 0.8 * (q - u - y * f));
         let energy = outcome.loss - 0.8 * y * f * u - 0.4 * y * y * f * f + weight * moved;
         Some(Self {
-            inelasticity,
-            thinness,
+            zener_number,
+            wave_transits,
             energy: energy * scales.energy(),
             displacement: moved * scales.length,
-            reach: under.reach(contact_time),
+            wave_reach: under.wave_reach(contact_time),
         })
     }
 }
@@ -154,7 +154,7 @@ impl ImpactRow {
                 * scales.length,
             peak_contact_radius,
             radius_ratio,
-            is_outside_law: radius_ratio > ground.law.validity.max_radius_ratio
+            is_outside_validity: radius_ratio > ground.law.validity.max_radius_ratio
                 || law.is_some_and(|law| law.exceeded_fit_range(&peak).is_some()),
             kinetic_in,
             plastic_fraction: share,

@@ -170,8 +170,8 @@ impl SeriesResult {
     }
 
     /// Largest error of the energy balances of the impacts.
-    pub fn max_drift(&self) -> f64 {
-        self.impacts.iter().map(|hit| hit.energy.drift).fold(0.0, nan_max)
+    pub fn max_balance_error(&self) -> f64 {
+        self.impacts.iter().map(|hit| hit.energy.balance_error).fold(0.0, nan_max)
     }
 
     pub(super) fn push_warnings(&mut self, number: usize, warnings: &[Warning]) {

@@ -14,7 +14,7 @@ use crate::numerics::functions::pow;
 use crate::units::{Dimension, format_input, format_result};
 
 /// The largest Zener's number up to which contact times on plates were measured, and agree with his theory.
-const MAX_MEASURED_INELASTICITY: f64 = 1.5;
+const MAX_MEASURED_ZENER_NUMBER: f64 = 1.5;
 
 /// The warnings that concern e in an impact with this speed normal to the surface \[m/s\], this peak mean pressure \[Pa\] and this
 /// result.
@@ -123,38 +123,45 @@ fn adhesion_warning(contact: &Contact, speed: f64) -> Option<Warning> {
 
 /// The warnings for a plate, hit with this contact radius \[m\].
 fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) -> impl Iterator<Item = Warning> + use<> {
-    let PlateResult { inelasticity, thinness, displacement, reach, .. } = *on_plate;
+    let PlateResult { zener_number, wave_transits, displacement, wave_reach, .. } = *on_plate;
     let thickness = plate.thickness;
     let (least, beyond) = match plate.theory {
         PlateTheory::Thick => (5.0, "by 8 % at 5 thicknesses and by a third at 3"),
-        PlateTheory::Zener if thinness < 5.0 => (10.0, "by half or more; half_space.plate = \"thick\" comes nearer"),
+        PlateTheory::Zener if wave_transits < 5.0 => {
+            (10.0, "by half or more; half_space.plate = \"thick\" comes nearer")
+        }
         PlateTheory::Zener => {
             (10.0, "by a fifth at 10 thicknesses and by half at 5; half_space.plate = \"thick\" is good to 8 % of it")
         }
     };
-    let is_thick = thinness < 2.0;
-    let thick = Warning::new_if(is_thick, WarningKind::ThickPlate, -thinness, || {
+    let is_thick = wave_transits < 2.0;
+    let thick = Warning::new_if(is_thick, WarningKind::ThickPlate, -wave_transits, || {
         format!(
-            "during the contact a wave travels only {thinness:.2} thicknesses of the plate, and below 2 the echo of its rear face comes too late: it acts as a half-space, so leave half_space.thickness out"
+            "during the contact a wave travels only {wave_transits:.2} thicknesses of the plate, and below 2 the echo of its rear face comes too late: it acts as a half-space, so leave half_space.thickness out"
         )
     });
-    let between = Warning::new_if(!is_thick && thinness < least, WarningKind::ModeratelyThickPlate, -thinness, || {
-        format!(
-            "during the contact a wave travels {thinness:.1} thicknesses of the plate, and a thin plate takes at least {least}: the plate takes more energy than computed, {beyond}"
-        )
-    });
+    let between = Warning::new_if(
+        !is_thick && wave_transits < least,
+        WarningKind::ModeratelyThickPlate,
+        -wave_transits,
+        || {
+            format!(
+                "during the contact a wave travels {wave_transits:.1} thicknesses of the plate, and a thin plate takes at least {least}: the plate takes more energy than computed, {beyond}"
+            )
+        },
+    );
     let ratio = contact_radius / thickness;
     let wide = Warning::new_if(ratio > 0.15, WarningKind::WideContactOnPlate, ratio, || {
         format!(
             "contact radius / plate thickness = {ratio:.3} is above 0.15: there the plate is stiffer under the sphere than a half-space by more than a tenth, and yields through; take the result for an estimate"
         )
     });
-    let near = plate.edge_distance.filter(|distance| *distance < reach).map(|distance| {
-        let [edge, far] = [distance, reach].map(|length| format_input(length, Dimension::Length));
+    let near = plate.edge_distance.filter(|distance| *distance < wave_reach).map(|distance| {
+        let [edge, far] = [distance, wave_reach].map(|length| format_input(length, Dimension::Length));
         let text = format!(
             "half_space.edge_distance = {edge} is less than {far}, from where bending waves come back during the contact: the plate may take a quarter more or less than computed"
         );
-        Warning::new(WarningKind::NearEdge, reach / distance, text)
+        Warning::new(WarningKind::NearEdge, wave_reach / distance, text)
     });
     let ratio = displacement / thickness;
     let deep = Warning::new_if(ratio > 0.3, WarningKind::DeepPlate, ratio, || {
@@ -163,12 +170,12 @@ fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) ->
         )
     });
     let little = Warning::new_if(
-        inelasticity > MAX_MEASURED_INELASTICITY,
+        zener_number > MAX_MEASURED_ZENER_NUMBER,
         WarningKind::InelasticPlate,
-        inelasticity,
+        zener_number,
         || {
             format!(
-                "Zener's number is {inelasticity:.2}, above {MAX_MEASURED_INELASTICITY}, up to which measured contact times confirm the theory of the plate: it takes nearly all, and a small error in its thickness changes e many times as much; take e for nearly 0"
+                "Zener's number is {zener_number:.2}, above {MAX_MEASURED_ZENER_NUMBER}, up to which measured contact times confirm the theory of the plate: it takes nearly all, and a small error in its thickness changes e many times as much; take e for nearly 0"
             )
         },
     );

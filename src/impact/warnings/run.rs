@@ -12,24 +12,24 @@ const MAX_RESTITUTION: f64 = 1.0005;
 /// The warning of a restitution above 1 by more than rounding and the error of the run, or by so much that a number with three
 /// digits shows it. By the work of gravity alone a sphere that sinks into its dent may leave faster than it came.
 pub(super) fn rebound_warning(contact: &Contact, impact: &Impact) -> Option<Warning> {
-    let (restitution, drift) = (impact.restitution, impact.energy.drift);
+    let (restitution, balance_error) = (impact.restitution, impact.energy.balance_error);
     let known = impact.accuracy.restitution_error;
     let gravity = contact.forces().gravity.unwrap_or(0.0);
-    // the drift is relative to all the energy put in, e to the kinetic energy of the impact
+    // the error of the balance is relative to all the energy put in, e to the kinetic energy of the impact
     let sunk = contact.mass() * gravity * impact.peak_indentation;
-    let error = if known.is_nan() { drift * (1.0 + sunk / impact.energy.kinetic_in) } else { known };
+    let error = if known.is_nan() { balance_error * (1.0 + sunk / impact.energy.kinetic_in) } else { known };
     let is_by_weight = gravity > 0.0 && impact.energy.plastic.is_none_or(|plastic| plastic >= 0.0);
     let is_real = restitution > 1.0 + 1e-12 + 10.0 * error;
     let is_doubtful = if is_real { !is_by_weight } else { known.is_nan() && restitution > MAX_RESTITUTION };
     Warning::new_if(is_doubtful, WarningKind::EnergyGain, restitution, || {
         format!(
-            "restitution {restitution:.6} is above 1, which is no physics: take it for 1. Either the run is too coarse (its balance of energy is off by {drift:.1e}: tighten the tolerance or use another method), or a second hit ended just behind a knot of the loading curve, where the plastic work of the law falls a little"
+            "restitution {restitution:.6} is above 1, which is no physics: take it for 1. Either the run is too coarse (its balance of energy is off by {balance_error:.1e}: tighten the tolerance or use another method), or a second hit ended just behind a knot of the loading curve, where the plastic work of the law falls a little"
         )
     })
 }
 
-/// An energy drift of fixed steps above this one is warned of.
-const MAX_DRIFT: f64 = 1e-2;
+/// An error of the energy balance of fixed steps above this one is warned of.
+const MAX_BALANCE_ERROR: f64 = 1e-2;
 /// Why a run in fixed steps is inaccurate, and the remedy.
 const COARSE_STEPS_TEXT: &str =
     "the fixed steps are too long for this contact; raise solver.steps_per_contact, or use another method than verlet";
@@ -47,18 +47,21 @@ pub(super) fn energy_gain_warning(contact: &Contact, impact: &Impact) -> Option<
 /// The warning of a run that is further from the closed form than its tolerance allows or, without a closed form, of one
 /// that has lost energy. Damping is not smooth at first touch, which costs the methods of `ode_solvers` up to three digits.
 pub(super) fn run_warning(impact: &Impact, &Solver { method, tolerance, .. }: &Solver) -> Option<Warning> {
-    let drift = impact.energy.drift;
+    let balance_error = impact.energy.balance_error;
     let error = nan_max(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);
     let way_out = "tighten the tolerance or use another method";
     if method == Method::Verlet {
-        Warning::new_if(drift > MAX_DRIFT || drift.is_nan(), WarningKind::EnergyImbalance, drift, || {
-            format!("the balance of energy is off by {drift:.1e}: {COARSE_STEPS_TEXT}")
-        })
+        Warning::new_if(
+            balance_error > MAX_BALANCE_ERROR || balance_error.is_nan(),
+            WarningKind::EnergyImbalance,
+            balance_error,
+            || format!("the balance of energy is off by {balance_error:.1e}: {COARSE_STEPS_TEXT}"),
+        )
     } else if impact.accuracy.closed_form_restitution.is_nan() {
-        let is_open = drift > 1000.0 * tolerance || drift.is_nan();
-        Warning::new_if(is_open, WarningKind::EnergyImbalance, drift, || {
+        let is_open = balance_error > 1000.0 * tolerance || balance_error.is_nan();
+        Warning::new_if(is_open, WarningKind::EnergyImbalance, balance_error, || {
             format!(
-                "the balance of energy is off by {drift:.1e}, more than 1000 x the tolerance {tolerance:.1e}: {way_out}"
+                "the balance of energy is off by {balance_error:.1e}, more than 1000 x the tolerance {tolerance:.1e}: {way_out}"
             )
         })
     } else {

@@ -41,7 +41,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     if let Some(rated) = contact.strain_rate_result() {
         rows.push(["strain rate".to_owned(), format_si_and_short(rated.strain_rate, Dimension::StrainRate)]);
         rows.push(["strength raised by".to_owned(), format_four_digits(rated.factor)]);
-        rows.push(["strength raised at the turn by".to_owned(), format_four_digits(rated.factor_at_turn)]);
+        rows.push(["strength raised at the turn by".to_owned(), format_four_digits(rated.factor_at_peak)]);
     }
     let softer = contact.pair().reachable_yield_point().map(|point| point.yield_partition.for_softer(Body::ALL));
     align_columns(&rows, |_| true) + &notes_text(notes) + &rate_hint(input, contact, softer, speed).unwrap_or_default()

@@ -99,7 +99,7 @@ pub fn terminal_table(series: &SeriesReport, detail: Detail) -> String {
         rows.insert(SHOWN_IMPACTS.0 + 1, vec!["...".to_owned()]);
     }
     let mut about = results::series_results();
-    about.retain(|result| detail == Detail::Full || result.name != "energy.drift");
+    about.retain(|result| detail == Detail::Full || result.name != "energy.balance_error");
     let mut lines = terminal::result_lines(&about, series);
     let texts = lines.iter_mut().flatten().chain(rows.iter_mut().flatten());
     terminal::replace_imprint_word(

@@ -36,7 +36,7 @@ const BRIEF_RESULTS: [&str; 10] = [
 pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
     let impact = single.impact;
     let is_of_the_integrator =
-        |name: &str| ["accuracy.", "work.", "energy.drift"].iter().any(|begin| name.starts_with(begin));
+        |name: &str| ["accuracy.", "work.", "energy.balance_error"].iter().any(|begin| name.starts_with(begin));
     let mut results = impact_results();
     let is_brief = detail == Detail::Brief;
     let is_shared = impact.has_flat() && impact.dent_depth() > 0.0;
@@ -89,7 +89,7 @@ fn mark_doubtful(lines: &mut [Line], impact: &Impact) {
             "restitution" if is_nearly_0 => *value = nearly_0(restitution),
             "restitution" if is_small => *value = format!("below {SMALL}"),
             "rebound speed" | "rebound height" if is_nearly_0 => "nearly 0".clone_into(value),
-            "restitution" | "without waves" if impact.is_outside_law => value.push_str(" (outside the law)"),
+            "restitution" | "without waves" if impact.is_outside_validity => value.push_str(" (outside the law)"),
             "restitution" | "without waves" | "rebound speed" | "rebound height" if sticks => {
                 value.push_str(" (below the sticking speed)");
             }

@@ -61,7 +61,12 @@ fn slow_reloads_keep_their_digits() {
                 // a ∝ dF/dδ on an unchanged dent (Sneddon 1965), so a ∝ d^(n − 1)
                 let radius = first.peak_contact_radius * (distance / first.elastic_approach).powf(n - 1.0);
                 assert!(relative_error(hit.peak_contact_radius, radius) < allowed);
-                assert!(hit.energy.drift < allowed, "{share} {}: {:e}", method.name(), hit.energy.drift);
+                assert!(
+                    hit.energy.balance_error < allowed,
+                    "{share} {}: {:e}",
+                    method.name(),
+                    hit.energy.balance_error
+                );
             }
         }
     }

@@ -97,7 +97,7 @@ fn overdamped_contact_separates_or_creeps_under_gravity() {
                 let distance = (report.end_indentation / at_rest - 1.0).abs();
                 assert!(distance < 1.1e-3, "{zeta} {speed}: {distance}");
                 assert_eq!(impact.trace.last().unwrap().event, Some(Event::Captured));
-                assert!(impact.energy.drift < 1e-7, "{}", impact.energy.drift);
+                assert!(impact.energy.balance_error < 1e-7, "{}", impact.energy.balance_error);
                 times.push(report.end_time);
             }
             assert!(

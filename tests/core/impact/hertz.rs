@@ -45,7 +45,7 @@ proptest! {
                 // p_m = (2/3) p_0, p_0 = 3F/(2πa²)
                 relative_error(impact.peak_mean_pressure, force / (std::f64::consts::PI * scene.radius * indentation)),
                 relative_error(impact.peak_sphere_indentation, compliance(scene.sphere) * e_star * indentation),
-                impact.energy.drift,
+                impact.energy.balance_error,
             ].into_iter().fold(0.0, nan_max);
             prop_assert!(error <= 2.0 * factor * TOLERANCE, "{}: {error:e}", method.name());
             prop_assert_eq!(impact.residual_indentation, 0.0);

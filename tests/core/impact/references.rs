@@ -63,7 +63,7 @@ fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
         ("yield_speed_m_per_s", contact.yield_speed().unwrap_or(f64::NAN), contact.yield_speed().unwrap_or(f64::NAN)),
         ("yield_indentation_m", of_point(|point| point.indentation), of_point(|point| point.indentation)),
         ("yield_force_N", of_point(|point| point.force), of_point(|point| point.force)),
-        ("lambda", of_plate(|plate| plate.inelasticity), of_plate(|plate| plate.inelasticity)),
+        ("lambda", of_plate(|plate| plate.zener_number), of_plate(|plate| plate.zener_number)),
         ("plate_displacement_m", of_plate(|plate| plate.displacement), of_plate(|plate| plate.displacement)),
     ] {
         let Some(want) = row.optional_number(name) else { continue };

@@ -16,10 +16,10 @@ pub fn assert_close(name: &str, got: f64, want: f64, allowed: f64) -> Result<(),
 /// The run sees no error of its energy above its tolerance, at the end and on any row of the trace.
 pub fn the_ledger_closes(run: &Run) -> Judgement {
     let energy = &run.impact.energy;
-    let rows = run.impact.trace.iter().fold(0.0, |worst, row| nan_max(worst, row.energy_drift.abs()));
-    prop_assert!(rows <= energy.drift && energy.drift_at_end.abs() <= energy.drift, "{:?}", energy);
+    let rows = run.impact.trace.iter().fold(0.0, |worst, row| nan_max(worst, row.energy_balance_error.abs()));
+    prop_assert!(rows <= energy.balance_error && energy.error_at_end.abs() <= energy.balance_error, "{:?}", energy);
     if run.is_adaptive() {
-        assert_close("drift", energy.drift, 0.0, run.error_allowance())?;
+        assert_close("balance error", energy.balance_error, 0.0, run.error_allowance())?;
     }
     Ok(run.is_adaptive())
 }
@@ -35,11 +35,11 @@ pub fn the_reported_energies_add_up(run: &Run) -> Judgement {
         impact.plate.map_or(0.0, |plate| plate.energy),
         of(|under| under.damping_loss),
         of(|under| under.stored_at_separation),
-        of(|under| under.left),
+        of(|under| under.remaining_energy),
     ];
     let found = impact.energy.recovered + parts.iter().sum::<f64>();
     // where nothing is lost e is 1, whatever the error of the run
-    let of_run = if impact.restitution == 1.0 { 0.0 } else { impact.energy.drift_at_end * size };
+    let of_run = if impact.restitution == 1.0 { 0.0 } else { impact.energy.error_at_end * size };
     // the work of the weight up to separation may be far above that down to the peak, where a plate holds the sphere long
     let largest = found.abs().max(gravity.abs()).max(size);
     assert_close("sum", found - gravity, impact.kinetic_in + of_run, 2e-13 * largest)?;
@@ -137,7 +137,7 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
     let rounding = 1e-12 * friction.kinetic_in;
     assert_close("friction", friction.recovered + friction.loss, friction.kinetic_in, rounding)?;
     prop_assert!((-rounding..=friction.kinetic_in + rounding).contains(&friction.loss), "{:?}", friction);
-    assert_close("angular momentum", friction.momentum_drift, 0.0, 1e-13)?;
+    assert_close("angular momentum", friction.momentum_error, 0.0, 1e-13)?;
     let (radius, [_, along]) = (run.contact.sphere().radius, run.approach.components());
     let size = run.approach.speed + rebound.tangential_speed.abs();
     if let Some([moved, turned]) = rebound.target {

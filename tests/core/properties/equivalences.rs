@@ -41,7 +41,7 @@ pub fn a_trace_changes_no_bit(run: &Run) -> Judgement {
     }
     let with = |samples| {
         let mut impact = run.contact.impact_on(&mut run.before.clone(), run.approach, &run.solver, samples).unwrap();
-        impact.energy.drift = 0.0;
+        impact.energy.balance_error = 0.0;
         impact.warnings.clear();
         impact.trace.clear();
         debug_text(&impact)

@@ -15,7 +15,7 @@ pub fn a_spot_remembers(run: &Run) -> Judgement {
     let before = closed_form_on_spot(contact, &mut spot, (2.0 * earlier.kinetic_in / contact.mass()).sqrt());
     let dented = spot.clone();
     let second = closed_form_on_spot(contact, &mut spot, run.speed());
-    assert_close("drift", second.energy.drift, 0.0, 1e-12)?;
+    assert_close("balance error", second.energy.balance_error, 0.0, 1e-12)?;
     let [old, new] = [&dented, &spot].map(|spot| contact.dent_depth(spot));
     prop_assert!(new >= old, "{} {}", old, new);
     // to the last bit by the PLM
@@ -84,10 +84,10 @@ pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judgement {
     for (got, want) in [
         (of_alone.strain_rate, 0.2 * w),
         (of_alone.factor, factor(0.2 * w)),
-        (of_alone.factor_at_turn, factor(0.015 * w)),
+        (of_alone.factor_at_peak, factor(0.015 * w)),
         (rated.strain_rate, of_alone.strain_rate),
         (rated.factor, of_alone.factor),
-        (rated.factor_at_turn, of_alone.factor_at_turn),
+        (rated.factor_at_peak, of_alone.factor_at_peak),
     ] {
         assert_close("rate", got, want, 1e-13 * want)?;
     }

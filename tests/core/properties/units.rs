@@ -92,7 +92,7 @@ pub fn units_do_not_matter(run: &Run) -> Judgement {
     });
     let mut compared = 0;
     for result in impact_results() {
-        let of_run = ["work.", "accuracy.", "verlet.", "friction_error", "energy.drift", "energy.angular"];
+        let of_run = ["work.", "accuracy.", "verlet.", "friction_error", "energy.balance_error", "energy.angular"];
         if of_run.iter().any(|begin| result.name.starts_with(begin)) {
             continue;
         }

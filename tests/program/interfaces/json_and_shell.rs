@@ -58,9 +58,9 @@ fn json_error_has_position_and_allowed_values() {
             &["check", "good.toml", "--set", "impact.speed=-1"],
             json!({"key": "impact.speed", "value": "-1", "allowed": "a speed > 0 m/s and finite"}),
         ),
-        (&["check", "good.toml", "--set", "impact.angle=45 deg"], json!({"needs": "friction.coefficient"})),
-        (&["check", "good.toml", "--set", "half_space.thickness=5 mm"], json!({"needs": "half_space.density"})),
-        (&["check", "no-speed.toml"], json!({"key": "impact", "needs": "impact.speed"})),
+        (&["check", "good.toml", "--set", "impact.angle=45 deg"], json!({"missing_key": "friction.coefficient"})),
+        (&["check", "good.toml", "--set", "half_space.thickness=5 mm"], json!({"missing_key": "half_space.density"})),
+        (&["check", "no-speed.toml"], json!({"key": "impact", "missing_key": "impact.speed"})),
         (&["run", "none.toml"], json!({"file": "none.toml", "exit_code": 2})),
         (&["calibrate", "good.toml", "data.csv"], json!({"line": 3, "exit_code": 2})),
         (&["run", "good.toml", "--out", "good.toml"], json!({"file": "good.toml", "exit_code": 2})),
@@ -81,8 +81,8 @@ fn json_error_has_position_and_allowed_values() {
     fs::write(desk.path("two.toml"), STEEL.replace("radius =", "radus =").replace("speed =", "sped =")).unwrap();
     let output = desk.run(&["check", "two.toml", "--error-format", "json"]);
     let said = &objects(&output.stderr)[0];
-    assert_eq!([&said["key"], &said["others"][0]["key"]], ["sphere.radus", "impact.sped"], "{said}");
-    assert_eq!(said["others"].as_array().unwrap().len(), 1, "{said}");
+    assert_eq!([&said["key"], &said["more_errors"][0]["key"]], ["sphere.radus", "impact.sped"], "{said}");
+    assert_eq!(said["more_errors"].as_array().unwrap().len(), 1, "{said}");
     // the words of one argument are not an option
     let quoted = desk.run(&["run", "s.toml", "--nosuch", "x --error-format json"]);
     assert!(text(&quoted.stderr).starts_with("error: unexpected argument"), "{}", text(&quoted.stderr));
@@ -93,7 +93,7 @@ fn json_error_has_position_and_allowed_values() {
     // fields without a value are left out
     let output = desk.run(&["check", "name.toml", "--error-format", "json"]);
     let said = &objects(&output.stderr)[0];
-    assert!(["value", "allowed", "needs"].iter().all(|key| said.get(key).is_none()), "{said}");
+    assert!(["value", "allowed", "missing_key"].iter().all(|key| said.get(key).is_none()), "{said}");
     assert!(said["message"].as_str().unwrap().contains("did you mean `radius`"), "{said}");
     // warnings and notes are objects too
     let arguments = ["run", "good.toml", "--set", "impact.speed=200 m/s", "--error-format", "json"];

@@ -35,7 +35,7 @@ fn summary_numbers_read_back_to_same_bits() {
         ("/peak_mean_pressure_Pa", impact.peak_mean_pressure),
         ("/residual_radius_m", impact.residual_radius.unwrap()),
         ("/dent_diameter_m", 2.0 * impact.dent_radius.unwrap()),
-        ("/energy/drift", impact.energy.drift),
+        ("/energy/balance_error", impact.energy.balance_error),
         ("/accuracy/closed_form_restitution", impact.accuracy.closed_form_restitution),
         ("/accuracy/restitution_error", impact.accuracy.restitution_error),
         ("/accuracy/contact_time_error", impact.accuracy.contact_time_error),

@@ -46,14 +46,14 @@ fn rows_have_their_own_rates() {
     );
     let table = table.read("out/table.csv");
     let [e, factor, turn, rate] =
-        ["restitution", "rate_factor", "rate_factor_at_turn", "strain_rate_per_s"].map(|name| numbers(&table, name));
+        ["restitution", "rate_factor", "rate_factor_at_peak", "strain_rate_per_s"].map(|name| numbers(&table, name));
     for (place, speed) in [0.001, 0.001, 0.3, 0.3, 3.0, 3.0].into_iter().enumerate() {
         let c = if place % 2 == 0 { 0.0 } else { 0.02 };
         let alone = scene(&with_rate(&format!("johnson_cook = {{ c = {c} }}")), NO_OVERRIDES).contact().unwrap();
         let alone = alone.row(speed, &Solver::AUTO).unwrap();
         let rated = alone.strain_rate_result.unwrap();
         assert_eq!(e[place].to_bits(), alone.restitution.to_bits());
-        assert_eq!([factor[place], turn[place], rate[place]], [rated.factor, rated.factor_at_turn, rated.strain_rate]);
+        assert_eq!([factor[place], turn[place], rate[place]], [rated.factor, rated.factor_at_peak, rated.strain_rate]);
     }
     let drawn = with_rate(COOK)
         + "[monte_carlo]\nsamples = 5\n\"half_space.rate.johnson_cook.c\" = { uniform = [0.01, 0.03] }\n";
@@ -77,7 +77,7 @@ fn a_series_and_a_trace_have_the_rate() {
     let desk = Sandbox::with_results(with_rate(COOK));
     assert!(desk.read("out/trace.csv").contains("relaxation"));
     let summary = desk.summary();
-    assert!(summary["rate_factor"].as_f64().unwrap() > summary["rate_factor_at_turn"].as_f64().unwrap());
+    assert!(summary["rate_factor"].as_f64().unwrap() > summary["rate_factor_at_peak"].as_f64().unwrap());
     assert_eq!(summary["inputs"]["half_space_rate_tested_at_per_s"], 0.001);
     let lines = desk.run_expecting(&["export", "s.toml", "--to", "lammps"], 0).0;
     assert_eq!(lines.matches("the strength is that of the strain rate").count(), 1, "{lines}");

@@ -336,8 +336,8 @@ fn all_mistakes_of_file_are_reported() {
     for mistake in mistakes {
         assert!(told.contains(mistake), "{mistake} is not in\n{told}");
     }
-    assert_eq!(error.details.others.len(), mistakes.len() - 1, "{told}");
-    let keys: Vec<&str> = error.details.others.iter().filter_map(|other| other.key.as_deref()).collect();
+    assert_eq!(error.details.more_errors.len(), mistakes.len() - 1, "{told}");
+    let keys: Vec<&str> = error.details.more_errors.iter().filter_map(|other| other.key.as_deref()).collect();
     assert!(keys.contains(&"half_space.edge_distance") && keys.contains(&"impact.angle"), "{keys:?}");
     // so are those that only the numbers of both bodies together show
     let text = STEEL.replace("[impact]", "radius = 0\n[gravity]\nacceleration = 9.81\n[air]\ndensity = 1.2\n[impact]");
@@ -347,6 +347,6 @@ fn all_mistakes_of_file_are_reported() {
     let materials = "[sphere]\nradius = \"5 mm\"\nmaterial = \"steel-52100-hardend\"\n[half_space]\nmaterial = \"steel-s2355\"\n\
                      [impact]\nspeed = 1\n";
     let error = Scenario::from_text("two.toml", materials, &[]).unwrap_err();
-    assert_eq!(error.details.others.len(), 1, "{error}");
+    assert_eq!(error.details.more_errors.len(), 1, "{error}");
     assert!(!error.to_string().contains("missing"), "{error}");
 }

@@ -79,7 +79,7 @@ fn shots_have_no_time_elastic_ones_no_dent() {
     let impacts = desk.read("out/impacts.csv");
     assert_eq!(
         impacts.lines().next().unwrap(),
-        "impact,impact_speed_m_per_s,restitution,rebound_speed_m_per_s,peak_force_N,peak_indentation_m,contact_time_s,kinetic_in_J,recovered_J,energy_drift"
+        "impact,impact_speed_m_per_s,restitution,rebound_speed_m_per_s,peak_force_N,peak_indentation_m,contact_time_s,kinetic_in_J,recovered_J,energy_balance_error"
     );
     assert_eq!(column(&impacts, "restitution"), ["1.0", "1.0"]);
 }

@@ -87,7 +87,6 @@ class Impact:
     friction_error: Final[Any]
     friction_loss_fraction: Final[Any]
     impulse_ratio: Final[Any]
-    inelasticity: Final[Any]
     loading_time_s: Final[Any]
     notes: Final[Any]
     outcome: Final[Any]
@@ -98,12 +97,12 @@ class Impact:
     peak_sphere_indentation_m: Final[Any]
     plate_displacement_m: Final[Any]
     plate_loss_fraction: Final[Any]
-    plate_reach_m: Final[Any]
-    plate_thinness: Final[Any]
+    plate_wave_reach_m: Final[Any]
+    plate_wave_transits: Final[Any]
     psi_1: Final[Any]
     psi_2: Final[Any]
     rate_factor: Final[Any]
-    rate_factor_at_turn: Final[Any]
+    rate_factor_at_peak: Final[Any]
     rebound_angle_deg: Final[Any]
     rebound_height_m: Final[Any]
     rebound_speed_m_per_s: Final[Any]
@@ -133,7 +132,8 @@ class Impact:
     yield_force_N: Final[Any]
     yield_indentation_m: Final[Any]
     yield_speed_m_per_s: Final[Any]
-    yields: Final[Any]
+    yielding_body: Final[Any]
+    zener_number: Final[Any]
     # end of results
     @property
     def trace(self) -> NDArray[np.void]: ...

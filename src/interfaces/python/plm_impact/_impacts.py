@@ -13,7 +13,7 @@ def impacts(contact, /, **keys):
         table["restitution"].shape                                                  # (2, 100)
 
     The columns are those of table.csv. First the keys, with their units (`impact_speed_m_per_s`), then `restitution`,
-    `contact_time_s`, `peak_force_N`, `peak_indentation_m`, `contact_radius_over_R`, `is_outside_law`,
+    `contact_time_s`, `peak_force_N`, `peak_indentation_m`, `contact_radius_over_R`, `is_outside_validity`,
     `recovered_fraction`; if a body yields, `residual_indentation_m`, `dent_diameter_m`, `plastic_fraction`, and `flat_depth_m` if
     the sphere may; if a body has a material by name, a hardness, or `strength_kind = "proof"`, the interval of e,
     `restitution_interval_low` and `restitution_interval_high`; if the half-space has a density, `wave_loss_fraction` and

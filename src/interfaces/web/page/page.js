@@ -88,7 +88,7 @@ function restore() {
 function done(reply) {
   byId("results").ariaBusy = "false";
   const { error, details } = reply;
-  const cure = details?.needs ? cureOf(details.needs) : null;
+  const cure = details?.missing_key ? cureOf(details.missing_key) : null;
   const isAtField = form.showError(details?.key, details?.message, cure);
   byId("problem").hidden = !error;
   byId("problem").replaceChildren(error ?? "", ...(cure && !isAtField ? ["\n", cure] : []));

@@ -46,7 +46,7 @@ fn energy_that_leaves_no_dent_is_accounted_for() {
                     relative_error(sum, energy.kinetic_in) < 2.0 * factor * 1e-11 + 1e-12,
                     "{name} {method:?}: {energy:?}"
                 );
-                assert!(energy.drift < factor * 1e-11 + 1e-12, "{name} {method:?}: {energy:?}");
+                assert!(energy.balance_error < factor * 1e-11 + 1e-12, "{name} {method:?}: {energy:?}");
             }
         }
     }

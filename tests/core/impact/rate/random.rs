@@ -76,7 +76,7 @@ fn rate_creates_no_energy_and_keeps_dents() {
             let depth = impact.peak_indentation;
             prop_assert!(impact.restitution <= 1.0 + 1e-9, "e = {}", impact.restitution);
             prop_assert!(impact.plastic_fraction >= 0.0, "{}", impact.plastic_fraction);
-            prop_assert!(impact.energy.drift < 1e-8, "{}", impact.energy.drift);
+            prop_assert!(impact.energy.balance_error < 1e-8, "{}", impact.energy.balance_error);
             prop_assert!(contact.dent_depth(&spot) >= dent - 1e-12 * depth, "{} {}", contact.dent_depth(&spot), dent);
             let left = contact.dent_depth(&spot);
             prop_assert!((impact.residual_indentation - left).abs() <= 1e-12 * depth, "{impact:?}");
