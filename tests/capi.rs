@@ -126,17 +126,18 @@ fn along_the_path(contact: &Contact) -> Vec<String> {
 
 /// Friction along that path, after every 50th step.
 fn friction_along_the_path(contact: &Contact) -> String {
-    let (mut memory, mut history, mut before, mut text) = (Memory::default(), [0.0; 3], 0.0, String::new());
+    let (mut memory, mut history, mut previous_indentation, mut text) =
+        (Memory::default(), [0.0; 3], 0.0, String::new());
     for (step, indentation) in path().enumerate() {
         let slip = [2e-8, if step < 200 { 1e-8 } else { -3e-8 }, 0.0];
         let force = contact.force(indentation, &mut memory);
         assert!(contact.friction(
             0.2,
-            &FrictionStep { previous_indentation: before, indentation, force, slip },
+            &FrictionStep { previous_indentation, indentation, force, slip },
             &memory,
             &mut history
         ));
-        before = indentation;
+        previous_indentation = indentation;
         if step % 50 == 49 {
             writeln!(text, "friction {}", hex_words(&history)).unwrap();
         }
@@ -225,7 +226,7 @@ fn c_program_prints_bits_of_library() {
     assert_eq!(printed[..expected.len()], expected);
     let waves = Scenario::load(&with_waves, &[]).unwrap().resolve_bodies().unwrap().contact().unwrap();
     let waves = waves.closed_form(3.0).unwrap().restitution_with_waves().unwrap();
-    let bits = [("deepest", contact.validated_indentation()), ("waves", waves)]
+    let bits = [("validated_indentation", contact.validated_indentation()), ("waves", waves)]
         .map(|(name, number)| format!("{name} {:016x}", number.to_bits()));
     // a strength that rises with the rate, at the speed of the scenario
     let rated = ["half_space.rate.johnson_cook.c=0.03".to_owned()];

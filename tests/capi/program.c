@@ -36,7 +36,7 @@ static void *along(void *forces) {
 
 static void refused(const char *text, size_t room) {
     char error[512] = "";
-    if (plm_contact_new(text, error, room) != NULL) {
+    if (plm_contact_from_toml(text, error, room) != NULL) {
         strcpy(error, "accepted");
     }
     puts(error);
@@ -51,7 +51,7 @@ static void refused(const char *text, size_t room) {
 /* A strength that rises with the strain rate is that of one speed. */
 static void rated(void) {
     char error[512] = "";
-    plm_contact *own = plm_contact_new(BODIES "impact = { speed = \"3 m/s\" }\n", error, sizeof error);
+    plm_contact *own = plm_contact_from_toml(BODIES "impact = { speed = \"3 m/s\" }\n", error, sizeof error);
     double memory[3] = {0.0, 0.0, 0.0}, restitution;
     double time = plm_contact_time(own, 3.0, &restitution);
     double down = plm_contact_force(own, 30e-6, memory), up = plm_contact_force(own, 29e-6, memory);
@@ -63,14 +63,14 @@ static void rated(void) {
 
 /* Friction along the path, with slip in two directions of which one changes its sign, and what the sphere is. */
 static void rubbed(void) {
-    double memory[3] = {0.0, 0.0, 0.0}, history[3] = {0.0, 0.0, 0.0}, before = 0.0;
+    double memory[3] = {0.0, 0.0, 0.0}, history[3] = {0.0, 0.0, 0.0}, previous_indentation = 0.0;
     for (int step = 0; step < STEPS; step++) {
         double indentation = path(step), slip[3] = {2e-8, step < STEPS / 2 ? 1e-8 : -3e-8, 0.0};
         double force = plm_contact_force(contact, indentation, memory);
-        if (plm_contact_friction(contact, 0.2, before, indentation, force, memory, slip, history) != 0) {
+        if (plm_contact_friction(contact, 0.2, previous_indentation, indentation, force, memory, slip, history) != 0) {
             puts("friction fails");
         }
-        before = indentation;
+        previous_indentation = indentation;
         if (step % 50 == 49) {
             printf("friction %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(history[0]), bits(history[1]),
                    bits(history[2]));
@@ -155,14 +155,14 @@ int main(int count, char **arguments) {
         }
     }
     puts(spoilt ? "a memory is spoilt" : "no memory is spoilt");
-    printf("deepest %016" PRIx64 "\nwaves %016" PRIx64 "\n", bits(plm_contact_deepest(contact)),
+    printf("validated_indentation %016" PRIx64 "\nwaves %016" PRIx64 "\n", bits(plm_contact_validated_indentation(contact)),
            bits(plm_contact_restitution_with_waves(waves, 3.0)));
     printf("%d %d %d\n", isnan(plm_contact_restitution_with_waves(contact, 3.0)),
-           isnan(plm_contact_restitution_with_waves(NULL, 3.0)), isnan(plm_contact_deepest(NULL)));
+           isnan(plm_contact_restitution_with_waves(NULL, 3.0)), isnan(plm_contact_validated_indentation(NULL)));
     plm_contact_free((plm_contact *)waves);
 
     /* the effective radius is that of the sphere on a flat half-space, and less on a convex one: 5 mm on 15 mm has 3.75 mm */
-    plm_contact *convex = plm_contact_new(
+    plm_contact *convex = plm_contact_from_toml(
         "sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n"
         "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, radius = \"15 mm\" }\n", error, sizeof error);
     printf("radii %d %.12g %.12g\n", plm_contact_effective_radius(contact) == plm_contact_radius(contact),

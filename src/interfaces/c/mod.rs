@@ -61,7 +61,7 @@ pub extern "C" fn plm_impact_version() -> *const c_char {
 /// # Safety
 /// `scenario_toml` ends with a zero byte; `error` is NULL or has `length` bytes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn plm_contact_new(
+pub unsafe extern "C" fn plm_contact_from_toml(
     scenario_toml: *const c_char,
     error: *mut c_char,
     length: usize,
@@ -70,11 +70,11 @@ pub unsafe extern "C" fn plm_contact_new(
     unsafe { new(scenario_toml, error, length, |text| Scenario::from_text("scenario", text, &[])) }
 }
 
-/// The contact of a scenario file. Otherwise as `plm_contact_new`, but paths in the scenario are relative to its
+/// The contact of a scenario file. Otherwise as `plm_contact_from_toml`, but paths in the scenario are relative to its
 /// folder.
 ///
 /// # Safety
-/// As `plm_contact_new`.
+/// As `plm_contact_from_toml`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_open(path: *const c_char, error: *mut c_char, length: usize) -> *mut plm_contact {
     // SAFETY: as the caller promises
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn plm_contact_open(path: *const c_char, error: *mut c_cha
 /// Frees a contact; NULL is allowed.
 ///
 /// # Safety
-/// `contact` comes from `plm_contact_new` or `plm_contact_open`, and is not used afterwards.
+/// `contact` comes from `plm_contact_from_toml` or `plm_contact_open`, and is not used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_free(contact: *mut plm_contact) {
     if !contact.is_null() {
@@ -158,10 +158,10 @@ pub unsafe extern "C" fn plm_contact_forces(
 }
 
 /// Friction of a contact with this coefficient: one tangential spring, as LAMMPS mindlin_rescale/force. Call it in every
-/// step after plm_contact_force gave `force` and `memory` at `indentation`; `before` is the indentation of the last step, 0
-/// in the first. `slip` (three doubles) is how far the contact point moved along the surface since then [m]. `history` (three
-/// doubles, zero for a fresh contact) becomes the friction on the sphere [N]; its torque about the centre is that of this
-/// force at the contact point.
+/// step after plm_contact_force gave `force` and `memory` at `indentation`; `previous_indentation` is the indentation of the
+/// last step, 0 in the first. `slip` (three doubles) is how far the contact point moved along the surface since then [m].
+/// `history` (three doubles, zero for a fresh contact) becomes the friction on the sphere [N]; its torque about the centre is
+/// that of this force at the contact point.
 ///
 /// Returns 0, or 1 if there is no friction: the coefficient is negative, a number is NaN or infinite, no contact can have this
 /// memory, or a pointer is NULL. The history then stays as it was.
@@ -174,7 +174,7 @@ pub unsafe extern "C" fn plm_contact_forces(
 pub unsafe extern "C" fn plm_contact_friction(
     contact: *const plm_contact,
     coefficient: f64,
-    before: f64,
+    previous_indentation: f64,
     indentation: f64,
     force: f64,
     memory: *const f64,
@@ -187,7 +187,7 @@ pub unsafe extern "C" fn plm_contact_friction(
     else {
         return FAILURE;
     };
-    let step = FrictionStep { previous_indentation: before, indentation, force, slip: *slip };
+    let step = FrictionStep { previous_indentation, indentation, force, slip: *slip };
     // SAFETY: as the caller promises
     let friction = unsafe {
         with_contact(contact, memory, None, |contact, memory| {
@@ -323,7 +323,7 @@ pub unsafe extern "C" fn plm_contact_restitution_with_waves(contact: *const plm_
 /// # Safety
 /// `contact` is NULL or not yet freed.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn plm_contact_deepest(contact: *const plm_contact) -> f64 {
+pub unsafe extern "C" fn plm_contact_validated_indentation(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
     unsafe { number(contact, Contact::validated_indentation) }
 }
@@ -372,7 +372,7 @@ where
 }
 
 /// # Safety
-/// As `plm_contact_new`.
+/// As `plm_contact_from_toml`.
 unsafe fn new(
     text: *const c_char,
     error: *mut c_char,

@@ -39,16 +39,16 @@ const char *plm_impact_version(void);
  * What the caller promises:
  * scenario_toml ends with a zero byte; error is NULL or has length bytes.
  */
-struct plm_contact *plm_contact_new(const char *scenario_toml,
-                                    char *error,
-                                    size_t length);
+struct plm_contact *plm_contact_from_toml(const char *scenario_toml,
+                                          char *error,
+                                          size_t length);
 
 /**
- * The contact of a scenario file. Otherwise as plm_contact_new, but paths in the scenario are relative to its
+ * The contact of a scenario file. Otherwise as plm_contact_from_toml, but paths in the scenario are relative to its
  * folder.
  *
  * What the caller promises:
- * As plm_contact_new.
+ * As plm_contact_from_toml.
  */
 struct plm_contact *plm_contact_open(const char *path,
                                      char *error,
@@ -58,7 +58,7 @@ struct plm_contact *plm_contact_open(const char *path,
  * Frees a contact; NULL is allowed.
  *
  * What the caller promises:
- * contact comes from plm_contact_new or plm_contact_open, and is not used afterwards.
+ * contact comes from plm_contact_from_toml or plm_contact_open, and is not used afterwards.
  */
 void plm_contact_free(struct plm_contact *contact);
 
@@ -99,10 +99,10 @@ int plm_contact_forces(const struct plm_contact *contact,
 
 /**
  * Friction of a contact with this coefficient: one tangential spring, as LAMMPS mindlin_rescale/force. Call it in every
- * step after plm_contact_force gave force and memory at indentation; before is the indentation of the last step, 0
- * in the first. slip (three doubles) is how far the contact point moved along the surface since then [m]. history (three
- * doubles, zero for a fresh contact) becomes the friction on the sphere [N]; its torque about the centre is that of this
- * force at the contact point.
+ * step after plm_contact_force gave force and memory at indentation; previous_indentation is the indentation of the
+ * last step, 0 in the first. slip (three doubles) is how far the contact point moved along the surface since then [m].
+ * history (three doubles, zero for a fresh contact) becomes the friction on the sphere [N]; its torque about the centre is
+ * that of this force at the contact point.
  *
  * Returns 0, or 1 if there is no friction: the coefficient is negative, a number is NaN or infinite, no contact can have this
  * memory, or a pointer is NULL. The history then stays as it was.
@@ -114,7 +114,7 @@ int plm_contact_forces(const struct plm_contact *contact,
  */
 int plm_contact_friction(const struct plm_contact *contact,
                          double coefficient,
-                         double before,
+                         double previous_indentation,
                          double indentation,
                          double force,
                          const double *memory,
@@ -207,7 +207,7 @@ double plm_contact_restitution_with_waves(const struct plm_contact *contact,
  * What the caller promises:
  * contact is NULL or not yet freed.
  */
-double plm_contact_deepest(const struct plm_contact *contact);
+double plm_contact_validated_indentation(const struct plm_contact *contact);
 
 /**
  * Fingerprint of the bodies and of the law, for the restart file of a simulation: a memory belongs to the contact with the

@@ -110,7 +110,7 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
     const auto found = contacts.count(type) ? contacts.find(type) : contacts.find(0);
     const plm_contact *contact = found == contacts.end() ? nullptr : found->second;
     // 52 bits, which a double holds exactly
-    laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0, contact ? plm_contact_deepest(contact) : 0.0,
+    laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0, contact ? plm_contact_validated_indentation(contact) : 0.0,
                     static_cast<double>(plm_contact_fingerprint(contact) >> 12)});
   }
 
@@ -277,7 +277,7 @@ void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double d
                      atom->tag[i], overlap, way);
     }
   }
-  const double peak = slot[MEMORY], before = slot[NOW];
+  const double peak = slot[MEMORY], previous_indentation = slot[NOW];
   const double of_contact = plm_contact_force(contact, indentation, slot + MEMORY);
   const double force = of_contact / (scale * scale) / force_unit;
   if (!std::isfinite(force)) error->one(FLERR, "Fix plm/wall: the force on sphere {} is not finite: is the timestep too long?", atom->tag[i]);
@@ -287,15 +287,15 @@ void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double d
   f[2] += force * nz;
   if (friction >= 0.0) {
     const double normal[] = {nx, ny, nz};
-    add_friction(i, contact, normal, before, indentation, of_contact, slot);
+    add_friction(i, contact, normal, previous_indentation, indentation, of_contact, slot);
   }
 
-  if (indentation > law.deepest && !is_deep) {
+  if (indentation > law.validated_indentation && !is_deep) {
     is_deep = true;
     error->warning(FLERR,
                    "Fix plm/wall: sphere {} is {:.3g} deep in the wall; the data behind its law end at {:.3g} for this radius. Take its "
                    "force, dent and e as estimates",
-                   atom->tag[i], overlap, law.deepest / scale / length_unit);
+                   atom->tag[i], overlap, law.validated_indentation / scale / length_unit);
   }
   // the plastic work changes only if the dent grows
   if (slot[MEMORY] != peak) plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, slot + TAKEN);
@@ -305,7 +305,7 @@ void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double d
 }
 
 /* Adds friction and its torque: one tangential spring, whose force is its memory. The lever arm is the radius. */
-void FixPLMWall::add_friction(int i, const plm_contact *contact, const double *n, double before, double indentation, double force, double *slot)
+void FixPLMWall::add_friction(int i, const plm_contact *contact, const double *n, double previous_indentation, double indentation, double force, double *slot)
 {
   const double scale = scale_of(i), radius = atom->radius[i], *v = atom->v[i], *w = atom->omega[i];
   double *history = slot + FRICTION;
@@ -327,7 +327,7 @@ void FixPLMWall::add_friction(int i, const plm_contact *contact, const double *n
     for (int k = 0; k < 3; k++) history[k] *= old / left;
 
   // the setup of a run has no step before it
-  if (!update->setupflag && plm_contact_friction(contact, friction, before, indentation, force, slot + MEMORY, slip, history) != 0)
+  if (!update->setupflag && plm_contact_friction(contact, friction, previous_indentation, indentation, force, slot + MEMORY, slip, history) != 0)
     error->one(FLERR, "Fix plm/wall: the friction on sphere {} is not finite: is the timestep too long?", atom->tag[i]);
   double *f = atom->f[i], *torque = atom->torque[i], t[3];
   for (int k = 0; k < 3; k++) {

@@ -38,7 +38,7 @@ class FixPLMWall : public Fix {
 
  private:
   void update_contact(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new);
-  void add_friction(int i, const plm_contact *contact, const double *n, double before, double indentation, double force, double *slot);
+  void add_friction(int i, const plm_contact *contact, const double *n, double previous_indentation, double indentation, double force, double *slot);
   void end_contact(int i, double *slot);
   void advise();
   double scale_of(int i) const;
@@ -55,7 +55,7 @@ class FixPLMWall : public Fix {
   struct Law {
     const plm_contact *contact;
     double radius;                            // radius of the sphere in the scenario, in units of LAMMPS
-    double deepest;                           // its indentation up to which the data behind the law reach, in metres
+    double validated_indentation;             // its indentation up to which the data behind the law reach, in metres
     double fingerprint;                       // of the contact, for restart files
   };
   std::vector<Law> laws;                      // the law of every atom type
