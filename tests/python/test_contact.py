@@ -322,7 +322,7 @@ def test_hostile_tables_are_refused_without_a_panic() -> None:
     for tables in (endless, {"a\n[b]": 1}, {'"': {'"': "'''"}}, {"": {"": ""}}, {1: 2}, {"sphere": {"\ud800": 1}}, {"sphere": {"radius": "\ud800"}}):
         with pytest.raises((ValueError, TypeError)):
             plm.run(tables)
-    for error in (ValueError, FileNotFoundError, plm.NoSuchFile):
+    for error in (ValueError, FileNotFoundError, plm.ScenarioNotFoundError):
         with pytest.raises(error, match=r"^\[Errno 2\] No such file or directory: 'no-such-file.toml'$") as caught:
             plm.run("no-such-file.toml")
     assert caught.value.filename == "no-such-file.toml" and pickle.loads(pickle.dumps(caught.value)).errno == caught.value.errno

@@ -37,7 +37,7 @@ test("there are scenarios of every kind", () => assert.ok(scenarios.length > 8, 
 for (const name of scenarios) {
   test(`${name}: the files of the command`, () => {
     const text = read(name);
-    const data = JSON.parse(program.given(text))["calibrate.data"];
+    const data = JSON.parse(program.given_values(text))["calibrate.data"];
     const reply = run(name, text, data && read(data));
     const { status, stdout, stderr, files } = runByCommand(name);
     assert.equal(status, 0, stderr);
@@ -81,7 +81,7 @@ test("schema, materials and first scenarios are those of the command", () => {
   assert.deepEqual(JSON.parse(program.schema()), JSON.parse(call("schema").stdout));
   const materials = JSON.parse(program.materials());
   assert.equal(materials[0].page, call("materials", materials[0].name).stdout);
-  for (const [kind, text] of Object.entries(JSON.parse(program.init()))) {
+  for (const [kind, text] of Object.entries(JSON.parse(program.templates()))) {
     assert.equal(text, call("init", kind, "--out", "-").stdout);
   }
 });

@@ -216,11 +216,11 @@ impl PyContact {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (String,)> {
         let texts = serde_json::to_string(&slf.get().scenario.source());
-        Ok((slf.get_type().getattr("_of_texts")?, (texts.map_err(json_error)?,)))
+        Ok((slf.get_type().getattr("_from_texts")?, (texts.map_err(json_error)?,)))
     }
 
     #[staticmethod]
-    fn _of_texts(texts: &str) -> PyResult<Self> {
+    fn _from_texts(texts: &str) -> PyResult<Self> {
         // whoever made the contact had its warnings
         Ok(Self::from_source(&serde_json::from_str(texts).map_err(json_error)?)?.0)
     }
@@ -332,11 +332,11 @@ impl PyImpact {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Py<PyContact>, f64, Option<usize>)> {
         let Self { contact, result, samples, .. } = slf.get();
-        Ok((slf.get_type().getattr("_of_speed")?, (contact.clone_ref(slf.py()), result.speed, *samples)))
+        Ok((slf.get_type().getattr("_from_speed")?, (contact.clone_ref(slf.py()), result.speed, *samples)))
     }
 
     #[staticmethod]
-    fn _of_speed(py: Python<'_>, contact: Py<PyContact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+    fn _from_speed(py: Python<'_>, contact: Py<PyContact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
         Self::compute(py, contact, speed, samples)
     }
 

@@ -90,14 +90,14 @@ pub fn from_json<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyA
 
 /// The exception of a scenario that cannot be read; for a missing file it is a `FileNotFoundError` too.
 pub fn unreadable_exception(py: Python<'_>, error: Error) -> PyErr {
-    static NO_SUCH_FILE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    static NOT_FOUND_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let (true, Some(reason), Some(file)) = (error.is_not_found(), &error.io_error, &error.details.file) else {
         return exception(error);
     };
     // the words that Python itself has for it
     let class = || {
         let words = py.import("os")?.call_method1("strerror", (reason.raw_os_error(),))?.unbind();
-        let class = NO_SUCH_FILE.import(py, "plm_impact", "NoSuchFile")?;
+        let class = NOT_FOUND_ERROR.import(py, "plm_impact", "ScenarioNotFoundError")?;
         Ok(PyErr::from_type(class.clone(), (reason.raw_os_error(), words, file.clone())))
     };
     class().unwrap_or_else(|failed: PyErr| failed)

@@ -25,7 +25,7 @@ const DATA: &str = "data";
 /// `set` replace those of the scenario: `set={"impact.speed": "2 m/s", "law": "thornton"}`. No file is written. Drawing the
 /// pictures takes most of the time: leave them out by `pictures=False`.
 ///
-/// Raises ValueError for a bad scenario, with file, line, key, value and what is allowed; NoSuchFile, which is a
+/// Raises ValueError for a bad scenario, with file, line, key, value and what is allowed; ScenarioNotFoundError, which is a
 /// FileNotFoundError too, for a missing file; RuntimeError for a run that fails. Warnings are one ModelWarning.
 #[pyfunction]
 #[pyo3(signature = (scenario, /, *, set=None, pictures=true))]

@@ -50,7 +50,7 @@ pub fn materials() -> String {
 
 /// Scenarios to begin with, by name.
 #[wasm_bindgen]
-pub fn init() -> String {
+pub fn templates() -> String {
     Value::Object(TEMPLATES.into_iter().map(|(name, text)| (name.to_owned(), json!(text))).collect()).to_string()
 }
 
@@ -62,19 +62,19 @@ pub fn fields() -> String {
 
 /// The keys that a text gives, with their values as they are typed.
 #[wasm_bindgen]
-pub fn given(text: &str) -> String {
-    let given = edit::given(text).map_err(|error| Error::caused_by(ErrorKind::Input, &error));
+pub fn given_values(text: &str) -> String {
+    let values = edit::given_values(text).map_err(|error| Error::caused_by(ErrorKind::Input, &error));
     reply(
-        given.map(|given| {
-            Value::Object(given.into_iter().map(|(key, value)| (key, json!(value))).collect::<Map<_, _>>())
+        values.map(|values| {
+            Value::Object(values.into_iter().map(|(key, value)| (key, json!(value))).collect::<Map<_, _>>())
         }),
     )
 }
 
 /// The text with another value of a key, as it is typed; an empty one takes the key away. A text that is no TOML stays.
 #[wasm_bindgen]
-pub fn edited(text: &str, key: &str, value: &str) -> String {
-    edit::edited(text, key, value).unwrap_or_else(|_| text.to_owned())
+pub fn with_value(text: &str, key: &str, value: &str) -> String {
+    edit::with_value(text, key, value).unwrap_or_else(|_| text.to_owned())
 }
 
 fn scenario(name: &str, text: &str, data: Option<String>) -> Result<Scenario, Error> {

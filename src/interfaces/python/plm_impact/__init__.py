@@ -13,7 +13,7 @@
     contact.impact("3 m/s").peak_force_N
     plm.impacts(contact, speed=np.linspace(0.5, 5, 100)).to_pandas()
 
-A wrong key or value raises ValueError, a wrong type TypeError, a missing file NoSuchFile, a run that fails RuntimeError.
+A wrong key or value raises ValueError, a wrong type TypeError, a missing file ScenarioNotFoundError, a run that fails RuntimeError.
 What is doubtful is a ModelWarning, at most one a call. Long computations use all cores, and Ctrl-C stops them.
 """
 
@@ -25,8 +25,8 @@ __all__ = [
     "Contact",
     "Impact",
     "ModelWarning",
-    "NoSuchFile",
     "Outcome",
+    "ScenarioNotFoundError",
     "Table",
     "__version__",
     "calibrate",
@@ -42,5 +42,5 @@ class ModelWarning(UserWarning):
     """What is doubtful about a scene, about the law where it is used, or about a run."""
 
 
-class NoSuchFile(FileNotFoundError, ValueError):
+class ScenarioNotFoundError(FileNotFoundError, ValueError):
     """A scenario that is not there: a FileNotFoundError, and a ValueError as every other bad scenario."""

@@ -11,8 +11,8 @@ __all__ = [
     "Contact",
     "Impact",
     "ModelWarning",
-    "NoSuchFile",
     "Outcome",
+    "ScenarioNotFoundError",
     "Table",
     "__version__",
     "calibrate",
@@ -37,7 +37,7 @@ class _Columns(Protocol):
     def __getitem__(self, name: str, /) -> Any: ...
 
 class ModelWarning(UserWarning): ...
-class NoSuchFile(FileNotFoundError, ValueError): ...
+class ScenarioNotFoundError(FileNotFoundError, ValueError): ...
 
 @final
 class Contact:

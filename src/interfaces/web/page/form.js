@@ -66,20 +66,20 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
   form.addEventListener("submit", (event) => event.preventDefault());
 
   /** Shows the values that a scenario gives. */
-  function fill(given) {
-    for (const row of unique) row.fill(given);
-    values = given;
+  function fill(givenValues) {
+    for (const row of unique) row.fill(givenValues);
+    values = givenValues;
     for (const [table, { group, main, isKind }] of groups) {
-      const isGiven = Object.keys(given).some((path) => path === table || path.startsWith(`${table}.`));
+      const isGiven = Object.keys(givenValues).some((path) => path === table || path.startsWith(`${table}.`));
       if (!main && isGiven) group.open = true;
       group.hidden = isKind && !isGiven;
     }
-    for (const row of unique) if (row.isGiven(given)) unfold(row);
+    for (const row of unique) if (row.isGiven(givenValues)) unfold(row);
     for (const [path, row] of rows) {
       const [table, law] = path.split(".");
-      if (table === "law" && law) row.line.hidden = law !== (given.law ?? "plm");
+      if (table === "law" && law) row.line.hidden = law !== (givenValues.law ?? "plm");
     }
-    const others = Object.keys(given).filter((path) => !rows.has(path));
+    const others = Object.keys(givenValues).filter((path) => !rows.has(path));
     elsewhere.hidden = others.length === 0;
     keys.textContent = others.join(", ");
   }

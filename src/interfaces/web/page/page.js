@@ -3,7 +3,7 @@
 import { download, element } from "./element.js";
 import { makeForm } from "./form.js";
 import { isNarrow, onRoom } from "./picture.js";
-import { edited, fields, given, load, materials, run, templates } from "./program.js";
+import { fields, givenValues, load, materials, run, templates, withValue } from "./program.js";
 import { markStale, showResults } from "./results.js";
 
 const FILE = "scenario.toml";
@@ -24,7 +24,7 @@ let emptied = null;
 function setScenario(newText) {
   text = newText;
   if (byId("text").value !== text) byId("text").value = text;
-  const values = given(text);
+  const values = givenValues(text);
   // a text that is no TOML leaves the form as it was
   byId("form").toggleAttribute("inert", Boolean(values.error));
   if (!values.error) form.fill(values);
@@ -49,7 +49,7 @@ function change(changes) {
   const [[path, value]] = changes;
   // a field that is emptied and typed in again leaves its key where it was, with its comments
   const from = emptied?.path === path && emptied.after === text ? emptied.before : text;
-  const after = changes.reduce((text, [path, value]) => edited(text, path, value), from);
+  const after = changes.reduce((text, [path, value]) => withValue(text, path, value), from);
   emptied = changes.length === 1 && value === "" ? { path, before: from, after } : null;
   setScenario(after);
 }
@@ -111,7 +111,7 @@ function cureOf(key) {
 
 async function measure(file) {
   data = await file.text();
-  setScenario(edited(text, DATA, file.name));
+  setScenario(withValue(text, DATA, file.name));
 }
 
 async function copyLink() {
@@ -143,7 +143,7 @@ function listen() {
   byId("without").addEventListener("click", () => {
     data = undefined;
     byId("data").value = "";
-    setScenario(edited(text, DATA.split(".")[0], ""));
+    setScenario(withValue(text, DATA.split(".")[0], ""));
   });
   byId("save").addEventListener("click", () => download(FILE, text));
   byId("link").addEventListener("click", copyLink);
@@ -171,7 +171,7 @@ try {
   await load(done);
   const kinds = Object.keys(templates());
   for (const kind of kinds) byId("begin").append(new Option(kind.replace("_", " "), kind));
-  const usual = Object.keys(given(templates().impact));
+  const usual = Object.keys(givenValues(templates().impact));
   form = makeForm(byId("form"), { fields: fields(), materials: materials(), kinds, usual, changed: change, openText });
   listen();
   restore();

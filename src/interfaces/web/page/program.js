@@ -3,11 +3,11 @@
 
 import init, * as program from "./plm_impact.js";
 
-export const { edited } = program;
-export const given = (text) => JSON.parse(program.given(text));
+export const withValue = program.with_value;
+export const givenValues = (text) => JSON.parse(program.given_values(text));
 export const fields = () => JSON.parse(program.fields());
 export const materials = () => JSON.parse(program.materials());
-export const templates = () => JSON.parse(program.init());
+export const templates = () => JSON.parse(program.templates());
 
 // A run that takes longer than this gives way to the next one.
 const TAKEOVER_MS = 1000;

@@ -65,15 +65,15 @@ export function makeRow(first, materials, changed) {
     show(field);
   }
 
-  const isGiven = (given) => fields.some((one) => given[one.path] !== undefined);
+  const isGiven = (givenValues) => fields.some((one) => givenValues[one.path] !== undefined);
 
   /** Shows the value that a scenario gives, or that a material brings. */
-  function fill(given) {
+  function fill(givenValues) {
     const [table, key] = field.path.split(".");
-    const material = materials.find((one) => one.name === given[`${table}.material`]);
+    const material = materials.find((one) => one.name === givenValues[`${table}.material`]);
     const here = (values) => fields.find((one) => values?.[one.path] !== undefined);
-    if (given[field.path] === undefined) show(here(given) ?? here(material?.values) ?? field);
-    known = given[field.path] ?? "";
+    if (givenValues[field.path] === undefined) show(here(givenValues) ?? here(material?.values) ?? field);
+    known = givenValues[field.path] ?? "";
     if (!isTyping && input.value !== known) {
       if (field.words && known && ![...input.options].some((one) => one.value === known)) input.append(new Option(known));
       input.value = known;
