@@ -31,7 +31,7 @@ class Desk:
         built = ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug"
         self.environment = {**os.environ, "PATH": f"{built}{os.pathsep}{os.environ['PATH']}"}
         # a hundred parts
-        self.environment["PLM_IMPACT_ROWS_PER_PART"] = "20"
+        self.environment["PLM_IMPACT_TEST_ROWS_PER_PART"] = "20"
         self.name = name
         (folder / f"{name}.toml").write_text(STEEL + SWEEP.replace("POINTS", str(points)))
 

@@ -60,7 +60,7 @@ def wait(what: str, is_so: Callable[[], object]) -> None:
 # cancelled
 HELD = """#!/bin/bash
 if [ "${SLURM_ARRAY_TASK_ID:-}" = 1 ] && mkdir held 2>/dev/null; then
-    export PLM_IMPACT_SIGNAL="$(kill -l STOP)@100"
+    export PLM_IMPACT_TEST_SIGNAL="$(kill -l STOP)@100"
     echo $$ >held/process
 fi
 exec COMMAND "$@"

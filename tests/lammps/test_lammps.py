@@ -34,7 +34,7 @@ BIN = Path(sys.executable).parent
 
 def build(*arguments: str | Path) -> None:
     command = [sys.executable, ROOT / "src/interfaces/lammps/build.py", *arguments]
-    if library := os.environ.get("PLM_IMPACT_LIBRARY"):
+    if library := os.environ.get("PLM_IMPACT_TEST_LIBRARY"):
         command += ["--library", library]
     subprocess.run(command, check=True)
 
@@ -314,9 +314,9 @@ def test_lmp_finds_the_plugin_of_the_module() -> None:
 
 
 def exported(code: str, *arguments: str) -> str:
-    command = os.environ.get("PLM_IMPACT_COMMAND", str(ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug/plm-impact"))
+    command = os.environ.get("PLM_IMPACT_TEST_COMMAND", str(ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug/plm-impact"))
     if not Path(command).exists():
-        pytest.skip(f"{command} is not built: set PLM_IMPACT_COMMAND")
+        pytest.skip(f"{command} is not built: set PLM_IMPACT_TEST_COMMAND")
     return subprocess.run([command, "export", STEEL, "--to", code, *arguments], check=True, capture_output=True, text=True).stdout
 
 

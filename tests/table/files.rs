@@ -240,11 +240,11 @@ fn signals_stop_other_long_work_without_leftovers() {
         }
         // a validation is short: the signal comes from the process itself, when the folder is made
         let mut command = Command::new(PROGRAM);
-        command.current_dir(desk.path("")).env("PLM_IMPACT_SIGNAL", format!("{number}@1"));
+        command.current_dir(desk.path("")).env("PLM_IMPACT_TEST_SIGNAL", format!("{number}@1"));
         let arguments = ["validate", "--out", "out/deep"];
         is_stopped(command.args(arguments).output().unwrap(), &arguments);
         let mut bench = Command::new(PROGRAM);
-        bench.current_dir(desk.path("")).env("PLM_IMPACT_SIGNAL", format!("{number}@1"));
+        bench.current_dir(desk.path("")).env("PLM_IMPACT_TEST_SIGNAL", format!("{number}@1"));
         let output = bench.args(["bench", "--quick", "--out", "out/deep"]).output().unwrap();
         let said = text(&output.stderr);
         assert!(output.status.code() == Some(want) && said.ends_with("interrupted; nothing was written\n"), "{said}");

@@ -13,7 +13,7 @@ use crate::common::prelude::*;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 /// Tables of these tests are small, and so are their parts.
-const ROWS_PER_PART: &str = "PLM_IMPACT_ROWS_PER_PART";
+const ROWS_PER_PART: &str = "PLM_IMPACT_TEST_ROWS_PER_PART";
 
 /// 12 000 rows under three laws, one of which has a name with blanks.
 fn grid() -> String {
@@ -137,7 +137,8 @@ fn killed_after_every_change(desk: &Sandbox, there: &Files, between: &Files, fir
     for change in 1.. {
         made(desk, there, &[]);
         let signal = format!("9@{change}");
-        let begin = |more: &&[&str]| run(desk, "out", Some(2), more).env("PLM_IMPACT_SIGNAL", &signal).spawn().unwrap();
+        let begin =
+            |more: &&[&str]| run(desk, "out", Some(2), more).env("PLM_IMPACT_TEST_SIGNAL", &signal).spawn().unwrap();
         // at the same time
         let children: Vec<Child> = first.iter().map(begin).collect();
         let ended = children.into_iter().map(|child| child.wait_with_output().unwrap().status);

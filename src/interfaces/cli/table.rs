@@ -55,7 +55,7 @@ impl Options {
 /// Time that a table has to stop by itself after a signal.
 const GRACE_PERIOD: Duration = Duration::from_millis(700);
 /// Rows of a part, for tests of small tables.
-const ROWS_PER_PART_VARIABLE: &str = "PLM_IMPACT_ROWS_PER_PART";
+const ROWS_PER_PART_VARIABLE: &str = "PLM_IMPACT_TEST_ROWS_PER_PART";
 
 /// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
 pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {

@@ -26,15 +26,15 @@ const POLL_INTERVAL: Duration = Duration::from_millis(50);
 /// A bar is shown for work that takes longer than this.
 const BAR_DELAY: Duration = Duration::from_millis(500);
 /// Another delay in milliseconds, for tests.
-const BAR_DELAY_VARIABLE: &str = "PLM_IMPACT_BAR_AFTER_MS";
+const BAR_DELAY_VARIABLE: &str = "PLM_IMPACT_TEST_BAR_AFTER_MS";
 /// Time between two lines on the progress where standard error is no terminal, such as the log of a batch job.
 const LOG_INTERVAL: Duration = Duration::from_secs(60);
 /// Another interval in milliseconds, for tests.
-const LOG_INTERVAL_VARIABLE: &str = "PLM_IMPACT_LOG_EVERY_MS";
+const LOG_INTERVAL_VARIABLE: &str = "PLM_IMPACT_TEST_LOG_EVERY_MS";
 /// Another patience in milliseconds, for tests.
-const PATIENCE_VARIABLE: &str = "PLM_IMPACT_PATIENCE_MS";
+const PATIENCE_VARIABLE: &str = "PLM_IMPACT_TEST_PATIENCE_MS";
 /// A signal for tests, and the change of the disk at which it comes: `9@12` kills at the twelfth.
-const SIGNAL_VARIABLE: &str = "PLM_IMPACT_SIGNAL";
+const SIGNAL_VARIABLE: &str = "PLM_IMPACT_TEST_SIGNAL";
 /// A shell adds the number of the signal to this for the exit code.
 const SIGNAL_EXIT_BASE: usize = 128;
 

@@ -218,7 +218,7 @@ fn progress_is_shown_on_a_terminal_alone() {
     desk.run_expecting(&["init", "repeat"], 0);
     // the bar is drawn at once, and so before the work ends, however fast the machine is
     let run = "run repeat.toml --set repeat.impacts=200 --pictures none";
-    let line = |line: &str| shell(&desk, &format!("export PLM_IMPACT_BAR_AFTER_MS=0 TERM=xterm; {line}"));
+    let line = |line: &str| shell(&desk, &format!("export PLM_IMPACT_TEST_BAR_AFTER_MS=0 TERM=xterm; {line}"));
     let piped = line(&format!("plm-impact {run}"));
     assert_eq!(piped.status.code(), Some(0), "{}", text(&piped.stderr));
     assert!(!text(&piped.stderr).contains("/200"), "{}", text(&piped.stderr));

@@ -74,7 +74,7 @@ fn progress_is_logged_where_there_is_no_terminal() {
     desk.run_expecting(&["init", "repeat"], 0);
     let run = |more: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-        command.current_dir(desk.path("")).env("PLM_IMPACT_LOG_EVERY_MS", "0").args(["run", "repeat.toml"]);
+        command.current_dir(desk.path("")).env("PLM_IMPACT_TEST_LOG_EVERY_MS", "0").args(["run", "repeat.toml"]);
         command.args(["--set", "repeat.impacts=200", "--pictures", "none"]).args(more);
         let output = command.output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));

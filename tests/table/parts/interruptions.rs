@@ -122,7 +122,7 @@ fn an_abandoned_table_leaves_nothing() {
         "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 1000000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = 4000 }}\n"
     ));
     let mut command = run(&desk, "out/deep", Some(250), &["--threads", "1"]);
-    let child = command.env("PLM_IMPACT_PATIENCE_MS", "0").spawn().unwrap();
+    let child = command.env("PLM_IMPACT_TEST_PATIENCE_MS", "0").spawn().unwrap();
     let is_begun = |name: &String| name.starts_with(".table");
     let is_at_work = || desk.path("out/deep").exists() && desk.files("out/deep").iter().any(is_begun);
     let output = output_after_signal(child, is_at_work, "-INT");
