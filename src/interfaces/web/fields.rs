@@ -3,28 +3,28 @@
 use serde_json::{Map, Value, json};
 
 use crate::materials::{MaterialEntry, Property, all_materials};
-use crate::report::pictures::title_of;
-use crate::report::text::materials::one;
-use crate::scenario::input::{Body, EITHER};
+use crate::report::pictures::path_title;
+use crate::report::text::materials::material_page;
+use crate::scenario::input::{ALTERNATIVES, Body};
 use crate::scenario::keys::words::LAWS;
-use crate::scenario::keys::{At, EVERY_KEY, Form, NUMBER, Words};
+use crate::scenario::keys::{ALL_KEYS, KeyId, NUMBER, ValueForm, WordList};
 
 /// The keys whose value is a number or a word: path, title, meaning, default, an example, the unit of a number that is written
 /// without one, the words that may be chosen, and the key in whose place it may stand.
 pub fn fields() -> Value {
-    let law = json!({ "path": "law", "title": "Law", "about": "The contact law.", "default": "plm", "words": (LAWS.known)() });
-    let keys = EVERY_KEY.iter().filter(|key| !key.path.contains("[]")).filter_map(|key| {
+    let law = json!({ "path": "law", "title": "Law", "about": "The contact law.", "default": "plm", "words": (LAWS.values)() });
+    let keys = ALL_KEYS.iter().filter(|key| !key.path.contains("[]")).filter_map(|key| {
         let (example, unit, words) = match key.form {
-            Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity) => {
+            ValueForm::Number(quantity) | ValueForm::NumberOr(quantity, _) | ValueForm::Count(quantity) => {
                 (quantity.example.trim_matches('"'), quantity.dimension.si_unit(), None)
             }
-            Form::Word(Words { known, .. }) => ("", "", Some(known())),
+            ValueForm::Word(WordList { values, .. }) => ("", "", Some(values())),
             _ => return None,
         };
-        let pair = EITHER.iter().find(|[_, other]| *other == key.path);
+        let pair = ALTERNATIVES.iter().find(|[_, other]| *other == key.path);
         Some(json!({
             "path": key.path,
-            "title": title_of(key.path),
+            "title": path_title(key.path),
             "about": key.about,
             "default": key.default.replace(['"', '`'], ""),
             "example": example,
@@ -39,12 +39,12 @@ pub fn fields() -> Value {
 /// The materials: name, what each is, the keys that take a value from it, with that value as it is written, and its page.
 pub fn materials() -> Value {
     let entry = |entry: &MaterialEntry| {
-        let defaults = Body::ALL.into_iter().flat_map(Body::defaults);
-        let written = |(at, property): (At<NUMBER>, Property)| {
-            Some((at.path().to_owned(), json!(entry.get(property)?.used.text)))
+        let defaults = Body::ALL.into_iter().flat_map(Body::material_keys);
+        let written = |(at, property): (KeyId<NUMBER>, Property)| {
+            Some((at.path().to_owned(), json!(entry.get(property)?.value.text)))
         };
         let values: Map<_, _> = defaults.filter_map(written).collect();
-        json!({ "name": entry.name, "title": entry.title, "values": values, "page": one(entry) })
+        json!({ "name": entry.name, "title": entry.title, "values": values, "page": material_page(entry) })
     };
     all_materials().iter().map(entry).collect()
 }

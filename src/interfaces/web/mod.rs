@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::error::{Error, ErrorKind};
-use crate::report::chart::Pictures;
+use crate::report::chart::PictureFormat;
 use crate::scenario::document::edit;
 use crate::scenario::{Scenario, TEMPLATES};
 
@@ -25,7 +25,7 @@ fn start() {
 /// `is_narrow`.
 #[wasm_bindgen]
 pub fn run(name: &str, text: &str, data: Option<String>, is_narrow: bool) -> String {
-    let pictures = if is_narrow { Pictures::NarrowSvg } else { Pictures::Svg };
+    let pictures = if is_narrow { PictureFormat::NarrowSvg } else { PictureFormat::Svg };
     reply(scenario(name, text, data).and_then(|scenario| reply::run(&scenario, pictures)))
 }
 

@@ -4,18 +4,18 @@
 use serde_json::{Map, Value, json};
 
 use crate::error::Error;
-use crate::files::{Counter, OutputFile};
+use crate::files::{OutputFile, Progress};
 use crate::numerics::functions::log10;
-use crate::report::chart::{Pictures, Series, Style};
+use crate::report::chart::{PictureFormat, Series, Style};
 use crate::report::pictures::sweep::pictures;
-use crate::report::run::{Outcome, RunOptions, at_once, impact, table};
+use crate::report::run::{Outcome, RunOptions, impact, run as run_scenario, table};
 use crate::report::text::Detail;
-use crate::scenario::keys::at;
+use crate::scenario::keys::key;
 use crate::scenario::plan::Plan;
 use crate::scenario::{Kind, Scenario};
 use crate::table::Tally;
-use crate::table::format::csv::Csv;
-use crate::units::four_digits;
+use crate::table::format::csv::CsvEncoder;
+use crate::units::format_four_digits;
 
 /// The most rows of a table, which is held in memory.
 const MAX_ROWS: u64 = 100_000;
@@ -24,11 +24,11 @@ const POINTS: usize = 601;
 const DECADES: f64 = 2.0;
 
 /// Runs a scenario of any kind.
-pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
+pub fn run(scenario: &Scenario, pictures: PictureFormat) -> Result<Value, Error> {
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
-    let options = RunOptions { command: &command, detail: Detail::Whole, pictures, progress: &Counter::default() };
-    let Outcome { warnings, text, files, contradiction, .. } = match at_once(scenario, Some(&options))? {
+    let options = RunOptions { command: &command, detail: Detail::Full, pictures, progress: &Progress::default() };
+    let Outcome { warnings, text, files, contradiction, .. } = match run_scenario(scenario, Some(&options))? {
         Some(outcome) => outcome,
         None => table_outcome(scenario, &options)?,
     };
@@ -45,22 +45,22 @@ pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
 
 fn table_outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
-    let rows = plan.count();
+    let rows = plan.n_cases();
     if rows > MAX_ROWS {
         let key = if plan.is_monte_carlo() { "monte_carlo" } else { "sweep" };
         let message =
             format!("a table of {rows} rows: a page computes at most {MAX_ROWS}; ask for fewer, or use the command");
-        return Err(scenario.document.refuse(key, message));
+        return Err(scenario.document.refusal(key, message));
     }
     let (csv, tally) = table_csv(&plan)?;
     let table = OutputFile { name: "table.csv".to_owned(), bytes: csv };
-    table::outcome(scenario, &plan, &tally, options, Some(table))
+    table::summarise(scenario, &plan, &tally, options, Some(table))
 }
 
 /// The picture in this format, and its points as CSV; `None` for a sphere that is released at first touch.
-fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> {
+fn curve(scenario: &Scenario, format: PictureFormat) -> Result<Option<Value>, Error> {
     let (input, _, impact) = impact::compute(scenario, None)?;
-    let (key, at) = match input.number(at!("impact.drop_height")) {
+    let (key, at) = match input.number(key!("impact.drop_height")) {
         Some(height) => ("impact.drop_height", height),
         None => ("impact.speed", input.speed()),
     };
@@ -77,11 +77,11 @@ fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> 
     let drawn = pictures(&plan, &Tally::new(&plan)).into_iter().next();
     drawn
         .map(|(_, mut chart)| {
-            let point = Series::points("this impact", vec![(at, impact.restitution)]).styled(Style::BLACK);
-            let point = point.and(format!("e = {}", four_digits(impact.restitution)));
+            let point = Series::points("this impact", vec![(at, impact.restitution)]).with_style(Style::BLACK);
+            let point = point.with_note(format!("e = {}", format_four_digits(impact.restitution)));
             chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
             "Restitution of the same bodies".clone_into(&mut chart.title);
-            let mut files: Vec<OutputFile> = format.file("restitution", &chart)?.into_iter().collect();
+            let mut files: Vec<OutputFile> = format.to_file("restitution", &chart)?.into_iter().collect();
             files.push(OutputFile { name: "restitution.csv".to_owned(), bytes: table_csv(&plan)?.0 });
             Ok(file_texts(files))
         })
@@ -90,9 +90,14 @@ fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> 
 
 /// The table as CSV, and what its rows add up to.
 fn table_csv(plan: &Plan) -> Result<(Vec<u8>, Tally), Error> {
-    let form = Csv::new(plan);
+    let encoder = CsvEncoder::new(plan);
     let mut text = (plan.column_names().join(",") + "\n").into_bytes();
-    let tally = table::rows(plan, &Counter::default(), |rows| form.rows_as_lines(rows), |piece| text.extend(piece))?;
+    let tally = table::compute_rows(
+        plan,
+        &Progress::default(),
+        |rows| encoder.rows_as_lines(rows),
+        |piece| text.extend(piece),
+    )?;
     Ok((text, tally))
 }
 
