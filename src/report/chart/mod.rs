@@ -18,7 +18,7 @@ pub use heatmap::heatmap;
 pub use histogram::histogram;
 pub use series::{Series, SeriesKind};
 pub(crate) use style::{BACKGROUND, DASHED, DOTTED, FOREGROUND, GREY, GRID, MARKER_RADIUS, PALETTE, SOLID};
-pub use style::{Marker, Style};
+pub use style::{Marker, SIZE, Style};
 
 use crate::error::Error;
 use plotters::prelude::DrawingBackend;
@@ -30,8 +30,6 @@ use pen::{Anchor, Pen, Point};
 use style::LABEL_SIZE;
 use text::text_width;
 
-/// Size of every picture \[px\].
-pub const SIZE: (u32, u32) = (1600, 1000);
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;
 /// Width of the colour bar, its distance from the edge, and the width kept free for it and its labels \[px\].
