@@ -26,7 +26,6 @@ use crate::numerics::curve::LoadingCurve;
 use crate::strings::names::named_enum;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{ContactLaw, LawInfo, YieldingPair};
-use plm::hardening::Hardening;
 pub use plm::unloading_rule::PlmUnloadingRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 pub use published::{LawError, Loading};
@@ -39,7 +38,7 @@ pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, 
 pub enum UnloadingRule {
     /// Along Hertz's curve, at any load.
     Hertz,
-    Plm(Box<PlmUnloadingRule>),
+    PlmRule(Box<PlmUnloadingRule>),
     Published(Box<PublishedRule>),
 }
 
@@ -107,7 +106,7 @@ impl Law {
     }
 
     pub fn plm(loading: impl Into<Arc<LoadingCurve>>, rule: PlmUnloadingRule) -> Self {
-        Self::new(loading, rule.validity(), UnloadingRule::Plm(Box::new(rule)))
+        Self::new(loading, rule.validity(), UnloadingRule::PlmRule(Box::new(rule)))
     }
 
     /// The law of a published loading with a published unloading.
@@ -134,7 +133,7 @@ impl Law {
         }
         match self.unloading_rule_at(x) {
             UnloadingRule::Hertz => Unloading::power(ContactState { indentation: x, force, elastic_approach: x }, 1.5),
-            UnloadingRule::Plm(rule) => rule.unloading(rule.state(x, force), spent),
+            UnloadingRule::PlmRule(rule) => rule.unloading(rule.state(x, force), spent),
             UnloadingRule::Published(rule) => rule.unloading(x, force, spent),
         }
     }
@@ -143,7 +142,7 @@ impl Law {
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match self.unloading_rule_at(x) {
             UnloadingRule::Hertz => x,
-            UnloadingRule::Plm(rule) => rule.elastic_approach(x, force),
+            UnloadingRule::PlmRule(rule) => rule.elastic_approach(x, force),
             UnloadingRule::Published(rule) => rule.unloading(x, force, self.loading.work(x)).peak.elastic_approach,
         }
     }
@@ -167,7 +166,7 @@ impl Law {
         }
         match self.unloading_rule_at(peak.indentation) {
             UnloadingRule::Hertz => Unloading::power(peak, 1.5),
-            UnloadingRule::Plm(rule) => rule.unloading(peak, spent()),
+            UnloadingRule::PlmRule(rule) => rule.unloading(peak, spent()),
             UnloadingRule::Published(rule) => rule.unloading(peak.indentation, peak.force, spent()),
         }
     }
@@ -179,8 +178,8 @@ impl Law {
     }
 
     /// The hardening of the yielding body, if it hardens.
-    pub(crate) fn hardening(&self) -> Option<&Hardening> {
-        if let UnloadingRule::Plm(rule) = &self.unloading_rule { rule.hardening.as_ref() } else { None }
+    pub(crate) fn hardening(&self) -> Option<&plm::hardening::Hardening> {
+        if let UnloadingRule::PlmRule(rule) = &self.unloading_rule { rule.hardening.as_ref() } else { None }
     }
 
     /// The exponents of this branch, if the requested exponent was raised: the requested one, the used one, and the gain of energy
@@ -191,7 +190,7 @@ impl Law {
         }
         let (peak, used) = (&unloading.peak, unloading.exponent);
         match self.unloading_rule_at(peak.indentation) {
-            UnloadingRule::Plm(rule) => {
+            UnloadingRule::PlmRule(rule) => {
                 let asked = rule.requested_exponent(peak);
                 // the energy of a branch is proportional to 1/(n + 1)
                 (used > asked).then(|| ExponentClamp { requested: asked, used, gain: (used - asked) / (asked + 1.0) })
@@ -243,7 +242,7 @@ impl Law {
             return radius;
         }
         match (&self.unloading_rule, self.unloading_rule_at(peak.indentation)) {
-            (UnloadingRule::Plm(rule), _) => rule.contact_radius(peak),
+            (UnloadingRule::PlmRule(rule), _) => rule.contact_radius(peak),
             (_, UnloadingRule::Published(rule)) => (rule.contact_radius)(peak.indentation, peak.force),
             _ => peak.force / peak.elastic_approach,
         }

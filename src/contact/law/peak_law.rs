@@ -64,7 +64,7 @@ impl Law {
 
     /// True if the loading is the same in units of any strength: the PLM of bodies whose strength is constant, with a dent alone.
     pub(crate) fn has_universal_curve(&self) -> bool {
-        matches!(&self.unloading_rule, UnloadingRule::Plm(rule) if rule.hardening.is_none() && rule.flattening.is_none())
+        matches!(&self.unloading_rule, UnloadingRule::PlmRule(rule) if rule.hardening.is_none() && rule.flattening.is_none())
     }
 
     /// Fresh surface recovers the whole approach up to this x.

@@ -233,7 +233,7 @@ impl<'a> ObliqueImpact<'a> {
             _ if self.psi.is_infinite() => 0.0,
             _ if !self.case.forces.is_none() => return false,
             UnloadingRule::Hertz => 1.0,
-            UnloadingRule::Plm(_) => 2.0,
+            UnloadingRule::PlmRule(_) => 2.0,
             UnloadingRule::Published(_) => return false,
         };
         let end = 2.0 * self.chi * (1.0 + e) - e * (2.0 * unloading.exponent - 2.0).min(1.0);

@@ -4,6 +4,7 @@ use plotters::style::RGBColor;
 
 /// Size of every picture \[px\].
 pub const SIZE: (u32, u32) = (1600, 1000);
+
 pub const FOREGROUND: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
 pub const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xe2);

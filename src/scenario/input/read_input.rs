@@ -10,7 +10,7 @@ use super::reader::{
 use super::{Input, Value};
 use crate::contact::law::{LawChoice, PlmCoefficients};
 use crate::contact::strength::flow_curve::{FlowCurve, FlowPoint};
-use crate::scenario::keys::key::{TABLE_LISTS, TableList};
+use crate::scenario::keys::key_spec::{TABLE_LISTS, TableList};
 use crate::scenario::keys::quantity::{STRAIN, STRENGTH};
 use crate::scenario::keys::{ALL_KEYS, Quantity, ValueForm};
 use crate::scenario::toml_node::{COMBINED, TomlValue, join_path};

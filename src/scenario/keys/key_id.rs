@@ -1,4 +1,4 @@
-//! Keys that are named in the source: the compiler finds their paths, `at!("sphere.radius")`.
+//! Keys that are named in the source: the compiler finds their paths, `key!("sphere.radius")`.
 
 use super::{ALL_KEYS, ValueForm};
 

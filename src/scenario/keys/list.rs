@@ -1,7 +1,7 @@
 //! All keys of a scenario, once each: path, part, form, default in words, meaning. Parsing, "did you mean", axes, columns of tables,
 //! `check`, the page of keys and the schema use this list.
 
-use super::ValueForm::{
+use super::key_spec::ValueForm::{
     Axes, Count, File, Free, Number, NumberOr, Numbers, Points, Text, Variables, Word, WordOrTable, Words,
 };
 use super::quantity::{

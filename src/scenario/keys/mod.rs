@@ -2,8 +2,8 @@
 
 mod flight;
 pub mod interval;
-pub mod key;
 pub(crate) mod key_id;
+pub mod key_spec;
 pub mod list;
 pub mod quantity;
 pub mod words;
@@ -11,7 +11,7 @@ pub mod words;
 pub(crate) use key_id::{COUNT, KeyId, NUMBER, OTHER, WORD, body_key, find_key, key};
 
 pub use interval::{HardnessRanges, RestitutionInterval, SMALL, Uncertainty, restitution_interval, strength_notes};
-pub use key::{KeySpec, Part, ValueForm, WordList};
+pub use key_spec::{KeySpec, Part, ValueForm, WordList};
 
 pub use list::ALL_KEYS;
 

@@ -7,7 +7,7 @@ use crate::impact::Warning;
 use crate::impact::indentation::{SetPoint, Specimen};
 use crate::scenario::Scenario;
 use crate::scenario::input::{Input, RunKind};
-use crate::scenario::keys::key;
+use crate::scenario::keys::{key, key_spec};
 
 /// Maximum number of rows of a trace, which is held in memory: some hundred megabytes.
 const MAX_TRACE_ROWS: usize = 1_000_000;
@@ -56,7 +56,7 @@ impl Scenario {
     }
 
     fn set_points(&self) -> Result<Vec<SetPoint>, Error> {
-        let as_in = format!("as in {}", key::STEPS_EXAMPLE);
+        let as_in = format!("as in {}", key_spec::STEPS_EXAMPLE);
         let Some(steps) = self.input.table_list("indentation.steps[]") else {
             let message = format!("the key `steps` is missing: a list, {as_in}");
             return Err(self.document.refusal("indentation", message));

@@ -48,7 +48,7 @@ pub fn rows_lie_on_the_law(run: &Run) -> Judgement {
 /// was spent, of which a warning tells.
 pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judgement {
     let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
-    let UnloadingRule::Plm(rule) = &law.unloading_rule else { return Ok(false) };
+    let UnloadingRule::PlmRule(rule) = &law.unloading_rule else { return Ok(false) };
     let LawChoice::Plm(plm) = run.scene.input().unwrap().law() else { return Ok(false) };
     let used = run.impact.unloading_exponent;
     let x = run.impact.peak_indentation / scales.length;

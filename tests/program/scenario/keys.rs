@@ -10,7 +10,7 @@ use plm_impact::results::TABLES;
 use plm_impact::results::impact::impact_results;
 use plm_impact::scenario::ScenarioSource;
 use plm_impact::scenario::input::{NUMERIC_KEYS, RunKind, unused_reason};
-use plm_impact::scenario::keys::key::{Part, ValueForm};
+use plm_impact::scenario::keys::key_spec::{Part, ValueForm};
 
 use crate::common::golden::assert_golden;
 use crate::common::prelude::*;

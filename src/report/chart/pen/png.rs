@@ -9,7 +9,7 @@ use png::{BitDepth, ColorType, Encoder};
 use super::{BackendFormat, Pen, drawing_error};
 use crate::error::Error;
 use crate::files::PROGRAM_NAME;
-use crate::report::chart::{BACKGROUND, SIZE};
+use crate::report::chart::style::{BACKGROUND, SIZE};
 
 /// The pixels of a PNG are means of 2 × 2 drawn pixels.
 const OVERSAMPLING: u32 = 2;

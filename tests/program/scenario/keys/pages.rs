@@ -7,7 +7,7 @@ use plm_impact::report::text::{calibrate, check, indentation, materials, sweep, 
 use plm_impact::results::series;
 use plm_impact::results::{NumberFormat, ResultSpec, impact, trace};
 use plm_impact::scenario::key_docs::form_as_markdown;
-use plm_impact::scenario::keys::key::KeySpec;
+use plm_impact::scenario::keys::key_spec::KeySpec;
 use plm_impact::strings::markdown_table;
 
 use crate::common::prelude::*;
