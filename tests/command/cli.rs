@@ -27,10 +27,7 @@ fn run_writes_outputs_and_prints_only_table() {
     let restitution = summary["restitution"].as_f64().unwrap();
     // tests/reference/built_in.csv, "steel on steel, 3 m/s"
     assert!((restitution / 0.490_578_548_979_793_5 - 1.0).abs() < 1e-8, "{restitution}");
-    assert_eq!(
-        summary["provenance"]["command"],
-        "plm-impact run s.toml --set law.plm.unloading_exponent=1.5 --out o"
-    );
+    assert_eq!(summary["provenance"]["command"], "plm-impact run s.toml --set law.plm.unloading_exponent=1.5 --out o");
     assert_eq!(summary["provenance"]["scenario_sha256"].as_str().unwrap().len(), 64);
 }
 

@@ -397,7 +397,7 @@ fn one_strength_of_two_equal_balls_warns() {
     let words = "e is off if both balls are of one material, mostly too high and by up to 7 %";
     // the share is largest between the first yield and deep dents
     let e =
-        |text: &str, speed: &str| Desk::ran(&text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap();
+        |text: &str, speed: &str| Desk::ran(text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap();
     let ratio = |speed: &str| e(&one, speed) / e(&both, speed);
     let [middle, fast] = ["0.3 m/s", "10 m/s"].map(ratio);
     assert!((1.06..1.07).contains(&middle) && (1.0..1.02).contains(&fast), "{middle} {fast}");

@@ -40,7 +40,7 @@ struct BodyRange {
     strengths: [Option<f64>; 2],
 }
 
-    /// The numbers, the material, and the presence of a range and of a flow curve, from which the range of a body follows.
+/// The numbers, the material, and the presence of a range and of a flow curve, from which the range of a body follows.
 type RangeOrigin = ([Option<f64>; 4], Option<usize>, [bool; 2]);
 
 impl HardnessRanges {
