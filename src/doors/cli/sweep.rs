@@ -96,7 +96,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
         let written = with_threads(threads, || job.run())??;
         Ok((directory, plan, written))
     })?;
-    let about = table::text(&plan, &written.tally, &cautions);
+    let about = table::table_text(&plan, &written.tally, &cautions);
     let (mut files, mut removed) = (Vec::new(), Vec::new());
     if shard.is_none() {
         let leaves = "the table is written, its summary is not; give the same command again";

@@ -200,11 +200,8 @@ fn listed_if_allowed(
 ) -> PyResult<(Vec<Vec<f64>>, Vec<String>)> {
     let is_allowed = |row: &usize| given.iter().all(|given| given.is_allowed(given.numbers.values[*row]));
     let allowed: Vec<usize> = (0..count).filter(is_allowed).collect();
-    let mut warnings = if allowed.is_empty() {
-        Vec::new()
-    } else {
-        py.detach(|| table::cautions(plan, Some(&contact.inner)).warnings)
-    };
+    let mut warnings =
+        if allowed.is_empty() { Vec::new() } else { py.detach(|| table::warnings(plan, Some(&contact.inner))) };
     if allowed.len() == count {
         let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
         return Ok((listed(py, plan, &contact.inner, &keys, count, named)?, warnings));
@@ -246,7 +243,7 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
             }
         };
         if speeds.iter().any(|speed| given[0].is_allowed(*speed)) {
-            warnings = py.detach(|| table::cautions(&plan, Some(&contact.inner)).warnings);
+            warnings = py.detach(|| table::warnings(&plan, Some(&contact.inner)));
         }
         warnings.extend((0..speeds.len()).find_map(|row| not_allowed(&given, row)));
         work::columns(py, speeds.len(), &[1, 1], false, |cases| {

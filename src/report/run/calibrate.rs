@@ -42,7 +42,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
 fn calibration_notes(found: &Calibration) -> Vec<String> {
     let input = found.input();
     let Ok(contact) = input.contact() else { return Vec::new() };
-    let mut notes = strength_notes(&input, &contact, &input.law(), &[]);
+    let mut notes = strength_notes(&input, &contact, true, &[]);
     // a strength that was found is that of the impacts
     let is_found =
         found.keys.iter().any(|key| Body::ALL.into_iter().any(|body| key.free.key.path == body.yield_strength()));

@@ -41,7 +41,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();
     let has_dent = sequence.hits.iter().any(|hit| hit.has_dent());
-    let notes = if has_dent { strength_notes(&input, &contact, &input.law(), &[]) } else { Vec::new() };
+    let notes = strength_notes(&input, &contact, has_dent, &[]);
     let Some(options) = options else {
         let text = report::repeat_lines(&repeat) + &overview(&input, &contact, &notes);
         return Ok(Outcome { notes, ..Outcome::checked(warnings, text, of_contact(&input, &contact)) });

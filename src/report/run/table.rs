@@ -15,7 +15,7 @@ use crate::report::text::sweep::{found, lines};
 use crate::scenario::Scenario;
 use crate::scenario::plan::Plan;
 use crate::scenario::scene::strength_notes;
-use crate::table::caution::at_corners;
+use crate::table::caution::{Corners, at_corners};
 use crate::table::job::in_order;
 use crate::table::{Evaluator, Rows, Tally, count};
 
@@ -76,13 +76,13 @@ pub fn outcome(
     let provenance = Provenance { files: names, ..scenario.provenance(options.command) };
     let mut files = files(plan, tally, &cautions, provenance, options.pictures)?;
     files.extend(table);
-    let text = text(plan, tally, &cautions);
+    let text = table_text(plan, tally, &cautions);
     let Cautions { warnings, notes } = cautions;
     Ok(Outcome { notes, ..Outcome::done(warnings, text, files) })
 }
 
 /// The text of a finished table, with the notes.
-pub fn text(plan: &Plan, tally: &Tally, cautions: &Cautions) -> String {
+pub fn table_text(plan: &Plan, tally: &Tally, cautions: &Cautions) -> String {
     lines(plan, tally) + &report_notes(&cautions.notes)
 }
 
@@ -96,11 +96,19 @@ pub struct Cautions {
 
 /// The warnings and the notes about a table of this plan; `known` is its contact, if that is made already.
 pub fn cautions(plan: &Plan, known: Option<&Contact>) -> Cautions {
-    let corners = at_corners(plan, known);
-    let own = if known.is_none() { plan.input.contact().ok() } else { None };
-    let contact = known.or(own.as_ref()).filter(|_| corners.has_dent);
-    let notes = contact.map(|contact| strength_notes(&plan.input, contact, &plan.input.law(), &plan.paths()));
-    Cautions { warnings: [corners.warnings, texts(&plan.warnings)].concat(), notes: notes.unwrap_or_default() }
+    let Corners { warnings, has_dent } = at_corners(plan, known);
+    let own = if has_dent && known.is_none() { plan.input.contact().ok() } else { None };
+    let notes = known.or(own.as_ref()).map(|contact| strength_notes(&plan.input, contact, has_dent, &plan.paths()));
+    Cautions { warnings: with_warnings_of_plan(warnings, plan), notes: notes.unwrap_or_default() }
+}
+
+/// The warnings alone, for callers that show no notes.
+pub fn warnings(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
+    with_warnings_of_plan(at_corners(plan, known).warnings, plan)
+}
+
+fn with_warnings_of_plan(at_corners: Vec<String>, plan: &Plan) -> Vec<String> {
+    [at_corners, texts(&plan.warnings)].concat()
 }
 
 /// `summary.json`, which repeats warnings and notes, and the pictures of a whole table. Its own file is in the provenance.

@@ -210,10 +210,9 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
 /// stress further.
 pub fn notes(scenario: &Scenario, tested: &[Tested]) -> Vec<String> {
     let input = scenario.input();
-    let is_vague = |body: Body| !input.has_flow(body) && input.strength_kind(body).is_none();
     let has_dent = |one: &&Tested| one.indentation.steps.iter().any(|step| step.plastic_work > 0.0);
     let softer = |one: &Tested| one.pair.yield_point.map(|point| point.flow.of_softer(Body::ALL));
-    let body = tested.iter().filter(has_dent).filter_map(softer).find(|body| is_vague(*body));
+    let body = tested.iter().filter(has_dent).filter_map(softer).find(|body| input.has_vague_strength(*body));
     body.map(|body| {
         let key = body.yield_strength();
         format!(

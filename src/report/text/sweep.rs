@@ -109,7 +109,7 @@ pub fn lines(plan: &Plan, tally: &Tally) -> String {
     }
     for (place, (column, all)) in constant.iter().enumerate() {
         let value = quantity(all.mean, dimension_of(column.name));
-        let (name, keys) = (words(column), plan.paths().join(" and "));
+        let (name, keys) = (column_label(column), plan.paths().join(" and "));
         let before = if place == 0 { "\n" } else { "" };
         let _ = writeln!(text, "{before}{name}: {value} in all cases, as it does not depend on {keys} here");
     }
@@ -117,7 +117,7 @@ pub fn lines(plan: &Plan, tally: &Tally) -> String {
 }
 
 /// The name of a column in words, without its unit.
-fn words(column: &Column) -> String {
+fn column_label(column: &Column) -> String {
     column.name.strip_suffix(dimension_of(column.name).suffix()).unwrap_or(column.name).replace('_', " ")
 }
 
@@ -127,5 +127,5 @@ fn quantiles((column, all): &(Column, Distribution)) -> [String; 6] {
     let values = [all.mean, all.quantile_05, all.quantile_50, all.quantile_95];
     let mut texts = quantities(&values, dimension).into_iter();
     let mut next = || texts.next().unwrap_or_default();
-    [words(column), next(), quantity(all.standard_deviation, dimension), next(), next(), next()]
+    [column_label(column), next(), quantity(all.standard_deviation, dimension), next(), next(), next()]
 }

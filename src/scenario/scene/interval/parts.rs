@@ -47,7 +47,7 @@ pub struct RestitutionInterval {
 impl RestitutionInterval {
     /// Both ends, with enough digits to differ, and the sources of error.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 2 and 17
-    pub fn text(&self) -> String {
+    pub fn to_text(&self) -> String {
         let Self { low, high, parts } = self;
         let digits = (-log10(high - low)).ceil().clamp(2.0, 17.0) as usize;
         let (mut law, mut sources) = ([1.0; 2], Vec::new());
@@ -99,7 +99,7 @@ mod tests {
                 part(LAW_BIAS, PartKind::Shift, 0.01, 0.01),
                 part(LAW_SCATTER, PartKind::Width, -0.02, 0.0),
             ];
-            let text = RestitutionInterval { low, high, parts }.text();
+            let text = RestitutionInterval { low, high, parts }.to_text();
             assert_eq!(text, format!("{want}: strain rate 0 to +10 %, without wear, law -1.0 to +1.0 %"));
         }
     }

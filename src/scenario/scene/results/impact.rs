@@ -106,7 +106,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// interval if a warning reports an error of e of unknown size.
         "restitution_interval" if INTERVAL: single.interval.map(|interval| vec![interval.low, interval.high]);
         /// The interval and its parts as text.
-        "restitution_interval_text" as "({})" if INTERVAL: single.interval.map(RestitutionInterval::text);
+        "restitution_interval_text" as "({})" if INTERVAL: single.interval.map(RestitutionInterval::to_text);
         /// The parts of the interval: `name`, `kind` (`shift`, `width` or `not_included`), `low` and `high` as shares of e, less 1.
         "restitution_interval_parts" if INTERVAL: single.interval.map(|interval| json!(interval.parts));
         /// The lower end of the interval.
