@@ -16,7 +16,7 @@ const TAILS: [f64; 2] = [0.001, 0.999];
 
 /// The warnings at the corners of a table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Corners {
+pub struct CornerWarnings {
     /// The worst warning of each kind with the corner where it was found, and a warning about corners that were not looked at.
     pub warnings: Vec<String>,
     /// True if an impact at a corner leaves a dent.
@@ -24,7 +24,7 @@ pub struct Corners {
 }
 
 /// Computes the impacts at the corners. `known` is the contact of the plan, if it is made already.
-pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> Corners {
+pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> CornerWarnings {
     let tails: Vec<SweepAxis> = match &plan.cases {
         Cases::Grid(_) => Vec::new(),
         Cases::MonteCarlo { variables, .. } => variables.iter().map(tail_axis).collect(),
@@ -70,7 +70,7 @@ pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> Corners {
             "of the {all} corners of this table {MAX_CORNERS} were looked at, a sample; the model may be left at the others"
         ));
     }
-    Corners { warnings, has_dent }
+    CornerWarnings { warnings, has_dent }
 }
 
 /// The corner of this number; beyond the last corner they begin again.

@@ -171,7 +171,7 @@ pub struct Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
-    /// An evaluator that keeps the contact of every combination, if there are at most [`MAX_CONTACTS`] of them. So the order
+    /// An evaluator that keeps the contact of every combination, if there are at most `MAX_CONTACTS` of them. So the order
     /// of the axes hardly changes the time of a table: rows that share their contact need not follow each other.
     #[allow(clippy::cast_possible_truncation)] // at most MAX_CONTACTS
     pub fn new(plan: &'a Plan) -> Self {

@@ -209,7 +209,7 @@ fn listed_if_allowed(
     let mut warnings = if allowed.is_empty() {
         Vec::new()
     } else {
-        py.detach(|| table::table_warnings(plan, Some(&contact.inner)).warnings)
+        py.detach(|| table::warnings_of_table(plan, Some(&contact.inner)))
     };
     if allowed.len() == count {
         let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
@@ -252,7 +252,7 @@ pub fn restitution<'py>(contact: &PyContact, speed: &Bound<'py, PyAny>) -> PyRes
             }
         };
         if speeds.iter().any(|speed| given[0].is_allowed(*speed)) {
-            warnings = py.detach(|| table::table_warnings(&plan, Some(&contact.inner)).warnings);
+            warnings = py.detach(|| table::warnings_of_table(&plan, Some(&contact.inner)));
         }
         warnings.extend((0..speeds.len()).find_map(|row| not_allowed(&given, row)));
         workers::columns(py, speeds.len(), &[1, 1], false, |cases| {

@@ -267,11 +267,7 @@ impl PyImpact {
             Ok((holder.compute_impact(own.as_ref(), speed, samples)?, own))
         };
         let (result, own) = py.detach(computed).map_err(exception)?;
-        let notes = if result.has_dent() {
-            strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), &holder.input.law(), &[])
-        } else {
-            Vec::new()
-        };
+        let notes = strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), result.has_dent(), &[]);
         Ok(Self {
             contact,
             result,

@@ -43,7 +43,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
 fn calibration_notes(found: &Calibration) -> Vec<String> {
     let input = found.input();
     let Ok(contact) = input.contact() else { return Vec::new() };
-    let mut notes = strength_notes(&input, &contact, &input.law(), &[]);
+    let mut notes = strength_notes(&input, &contact, true, &[]);
     // a fitted strength is the strength at the strain rates of the impacts
     let is_found =
         found.keys.iter().any(|key| Body::ALL.into_iter().any(|body| key.free.key.path == body.yield_strength()));

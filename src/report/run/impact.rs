@@ -52,7 +52,7 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
 
 pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, impact) = compute(scenario, options.map(|_| scenario.input().samples()))?;
-    let notes = if impact.has_dent() { strength_notes(&input, &contact, &input.law(), &[]) } else { Vec::new() };
+    let notes = strength_notes(&input, &contact, impact.has_dent(), &[]);
     let Some(options) = options else {
         let (text, checked) = (overview(&input, &contact, &notes), contact_fields(&input, &contact));
         return Ok(Outcome { notes, ..Outcome::from_check(warning_texts(&impact.warnings), text, checked) });

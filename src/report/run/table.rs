@@ -15,7 +15,7 @@ use crate::report::text::sweep::{summary_fields, summary_lines};
 use crate::scenario::Scenario;
 use crate::scenario::keys::strength_notes;
 use crate::scenario::plan::Plan;
-use crate::table::corner_warnings::corner_warnings;
+use crate::table::corner_warnings::{CornerWarnings, corner_warnings};
 use crate::table::job::ordered_parallel;
 use crate::table::{Evaluator, Rows, Tally, classify};
 
@@ -96,14 +96,20 @@ pub struct TableWarnings {
 
 /// The warnings and the notes about a table of this plan; `known` is its contact, if that is made already.
 pub fn table_warnings(plan: &Plan, known: Option<&Contact>) -> TableWarnings {
-    let corners = corner_warnings(plan, known);
-    let own = if known.is_none() { plan.input.contact().ok() } else { None };
-    let contact = known.or(own.as_ref()).filter(|_| corners.has_dent);
-    let notes = contact.map(|contact| strength_notes(&plan.input, contact, &plan.input.law(), &plan.varied_paths()));
-    TableWarnings {
-        warnings: [corners.warnings, warning_texts(&plan.warnings)].concat(),
-        notes: notes.unwrap_or_default(),
-    }
+    let CornerWarnings { warnings, has_dent } = corner_warnings(plan, known);
+    let own = if has_dent && known.is_none() { plan.input.contact().ok() } else { None };
+    let contact = known.or(own.as_ref());
+    let notes = contact.map(|contact| strength_notes(&plan.input, contact, has_dent, &plan.varied_paths()));
+    TableWarnings { warnings: with_plan_warnings(warnings, plan), notes: notes.unwrap_or_default() }
+}
+
+/// The warnings alone, for callers that show no notes.
+pub fn warnings_of_table(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
+    with_plan_warnings(corner_warnings(plan, known).warnings, plan)
+}
+
+fn with_plan_warnings(corners: Vec<String>, plan: &Plan) -> Vec<String> {
+    [corners, warning_texts(&plan.warnings)].concat()
 }
 
 /// `summary.json`, which repeats warnings and notes, and the pictures of a whole table. Its own file is in the provenance.

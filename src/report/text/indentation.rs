@@ -217,10 +217,9 @@ pub fn overview(
 /// stress further.
 pub fn material_notes(scenario: &Scenario, tested: &[SpecimenResult]) -> Vec<String> {
     let input = scenario.input();
-    let is_vague = |body: Body| !input.has_flow(body) && input.strength_kind(body).is_none();
     let has_dent = |one: &&SpecimenResult| one.indentation.steps.iter().any(|step| step.plastic_work > 0.0);
     let softer = |one: &SpecimenResult| one.pair.yield_point.map(|point| point.yield_partition.for_softer(Body::ALL));
-    let body = tested.iter().filter(has_dent).filter_map(softer).find(|body| is_vague(*body));
+    let body = tested.iter().filter(has_dent).filter_map(softer).find(|body| input.has_vague_strength(*body));
     body.map(|body| {
         let key = body.yield_strength();
         format!(

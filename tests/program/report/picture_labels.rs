@@ -177,7 +177,7 @@ fn equal_values_have_no_histogram() {
         let range = if count == 0 { "[\"1 mm\", \"9 mm\"]" } else { "[\"300 MPa\", \"400 MPa\"]" };
         let desk = Sandbox::with(format!("{STEEL}[monte_carlo]\nsamples = 50\n\"{key}\" = {{ uniform = {range} }}\n"));
         desk.run_expecting(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
-        assert_eq!(desk.files("o").iter().filter(|name| name.ends_with(".svg")).count(), count, "{key}");
+        assert_eq!(desk.files("o").iter().filter(|name| name.contains(".svg")).count(), count, "{key}");
     }
 }
 

@@ -1,5 +1,7 @@
 //! The interval of e as `drop`, `run` and `calibrate` report it, and the notes on the strength and on the exponent.
 
+use std::fmt::Write as _;
+
 use crate::common::prelude::*;
 
 const BALL: [&str; 5] = ["drop", "--ball", "steel-52100-hardened", "--diameter", "10 mm"];
@@ -175,7 +177,7 @@ fn calibration_reports_the_error_of_its_exponent() {
         )
     };
     let shaped = "[law.plm]\nunloading_exponent = \"pressure-shape\"\n";
-    let desk = Sandbox::with(&scenario(shaped));
+    let desk = Sandbox::with(scenario(shaped));
     let mut data = "drop_height_mm,rebound_height_mm\n".to_owned();
     for height in [200, 400, 800] {
         let set = format!("impact.drop_height={height} mm");
@@ -195,7 +197,7 @@ fn calibration_reports_the_error_of_its_exponent() {
             ],
             0,
         );
-        data += &format!("{height},{}\n", 1e3 * number(&desk.summary(), "rebound_height_m"));
+        writeln!(data, "{height},{}", 1e3 * number(&desk.summary(), "rebound_height_m")).unwrap();
     }
     desk.write("heights.csv", data);
     let request = "[calibrate]\ndata = \"heights.csv\"\nfree = { \"half_space.hardness\" = { from = \"30 HV\", to = \"300 HV\" } }\nnoise = { model = 0.01 }\n";

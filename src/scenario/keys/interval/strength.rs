@@ -192,12 +192,12 @@ fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option
 pub const WHICH_STRENGTH: &str = "Which strength?";
 
 /// Notes for the user on the strength and on the exponent of the law behind e, if the scenario leaves them open: at most one
-/// paragraph for each. `varied` holds the varied keys of a table.
-pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied: &[&str]) -> Vec<String> {
+/// paragraph for each. Without a dent e needs neither, and there are no notes. `varied` holds the varied keys of a table.
+pub fn strength_notes(input: &Input, contact: &Contact, has_dent: bool, varied: &[&str]) -> Vec<String> {
     let mut notes = Vec::new();
-    let Some(point) = contact.pair().yield_point else { return notes };
+    let Some(point) = contact.pair().yield_point.filter(|_| has_dent) else { return notes };
     let body = point.yield_partition.for_softer(Body::ALL);
-    let is_vague = !input.has_flow(body) && input.strength_kind(body).is_none();
+    let is_vague = input.has_vague_strength(body);
     if is_no_metal(input, body) {
         notes.push(format!(
             "e has no interval: the law was made for metals, and no metal has a Young's modulus as low as {}.youngs_modulus = {}.",
@@ -216,7 +216,7 @@ pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied:
             body.table_name()
         ));
     }
-    let is_of_paper = matches!(law, LawChoice::Plm(law) if law.exponent == UnloadingExponent::Paper);
+    let is_of_paper = matches!(input.law(), LawChoice::Plm(law) if law.exponent == UnloadingExponent::Paper);
     let exponent = key!("law.plm.unloading_exponent");
     let is_default = input.number(exponent).is_none() && !varied.contains(&exponent.path());
     if let (true, true, Some(error)) = (is_of_paper, is_default, paper_exponent_error()) {
@@ -232,10 +232,16 @@ pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied:
 pub fn expected_notes(input: &Input, contact: &Contact) -> Vec<String> {
     let [speed, _] = input.approach().components();
     let is_plastic = contact.yield_speed().is_none_or(|slowest| speed.is_nan() || speed > slowest);
-    if is_plastic { strength_notes(input, contact, &input.law(), &[]) } else { Vec::new() }
+    strength_notes(input, contact, is_plastic, &[])
 }
 
 impl Input {
+    /// True if the yield strength of a body may be its flow stress or its proof stress: the scenario describes neither the flow
+    /// stress further nor the kind of the strength.
+    pub fn has_vague_strength(&self, body: Body) -> bool {
+        !self.has_flow(body) && self.strength_kind(body).is_none()
+    }
+
     /// The kind of strength that a body has, if the scenario states it.
     pub fn strength_kind(&self, body: Body) -> Option<StrengthKind> {
         self.word(body_key!(body, "strength_kind")).map(|place| StrengthKind::ALL[place])
