@@ -33,7 +33,7 @@
 //! | e | `restitution` | 1 | rebound speed over impact speed (COR) |
 //! | θ, μ, ω | [`Incidence`](impact::Incidence) | rad, 1, rad/s | angle from the normal, coefficient of friction, spin |
 //! | g, χ, ζ | [`Forces`](impact::Forces) | m/s², s/m, 1 | gravity; damping after Hunt and Crossley; fraction of critical damping |
-//! | h, Y, λ | [`Plate`](impact::Plate), [`OnPlate`](impact::OnPlate) | m, s/kg, 1 | thickness of a plate that is hit, how it gives way (w' = Y F), Zener's number |
+//! | h, Y, λ | [`Plate`](impact::Plate), [`PlateResult`](impact::PlateResult) | m, s/kg, 1 | thickness of a plate that is hit, how it gives way (w' = Y F), Zener's number |
 //! | C(ν) | [`Waves`](crate::impact::problem::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
 //! | x, f, ε, u, τ | | 1 | δ/δ_Y, F/F_Y, δ_e/δ_Y, δ'/v_Y, t v_Y/δ_Y: x'' = −(5/4) f, ' = d/dτ |
 //!

@@ -122,7 +122,7 @@ pub fn measure(problem: &BenchProblem, is_quick: bool, rounds: u32, burst: Durat
     let mut all: Vec<Timing> = settings.filter_map(|(method, setting)| setting.evaluate(method, problem)).collect();
     let time = |measurement: &Timing, repetitions: u32| {
         let ((), ns) = time_call(|| {
-            (0..repetitions).for_each(|_| measurement.setting.run_discarding(measurement.method, problem))
+            (0..repetitions).for_each(|_| measurement.setting.run_discarding(measurement.method, problem));
         });
         ns / f64::from(repetitions)
     };

@@ -3,7 +3,7 @@
 //! Every line is one impact, or one point of an indentation curve. The name of a column says its quantity and ends in
 //! its unit: `speed_m_per_s`, `drop_height_mm`, `restitution`, `dent_diameter_um`. A column may hold
 //!
-//! * a measured quantity (see [`Measured`]); if a field is empty, the quantity was not measured;
+//! * a measured quantity (see [`MeasuredQuantity`]); if a field is empty, the quantity was not measured;
 //! * the standard deviation of a measured quantity: the name of the quantity with `_sd` at the end;
 //! * any numeric key of the scenario that changes from line to line, such as `sphere_radius_mm`; `speed` and
 //!   `drop_height` are the keys of `[impact]`;
@@ -256,7 +256,7 @@ impl MeasurementData {
                 ColumnRole::Key(_) => read.keys.push(value),
                 ColumnRole::Indentation => read.indentation = Some(value),
                 ColumnRole::Measured(quantity) => {
-                    self.values.push(MeasuredValue { row, quantity, value, deviation: None })
+                    self.values.push(MeasuredValue { row, quantity, value, deviation: None });
                 }
                 ColumnRole::Deviation(quantity) => deviations.push((quantity, value)),
             }

@@ -7,7 +7,7 @@
 //! The way of one impact is the code of this file, `Contact::impact_on_surface`: a folder for each of its steps.
 //!
 //! 1. [`problem`] makes the impact dimensionless: contact, scales, forces, plate, strain rate.
-//! 2. [`solve`] computes the normal motion: by its closed form, by integration along the pieces of the law, or in fixed steps.
+//! 2. [`solve`](mod@solve) computes the normal motion: by its closed form, by integration along the pieces of the law, or in fixed steps.
 //! 3. [`result`] gives the results in SI units, and `warnings` checks the model and the run.
 //! 4. [`oblique`] adds the tangential motion of an impact with friction.
 //!

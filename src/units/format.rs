@@ -74,7 +74,7 @@ fn format_in_suitable_unit(value: f64, scientific: &str, dimension: Dimension) -
 /// the text, so that no digit changes.
 fn in_unit_of(size: f64, scientific: &str, dimension: Dimension) -> Option<String> {
     let shown = || {
-        dimension.units().filter(|unit| unit.is_display_unit).filter_map(|unit| match unit.scale {
+        dimension.units().filter(|unit| unit.is_displayed).filter_map(|unit| match unit.scale {
             UnitScale::PowerOfTen(power) => Some((unit.name, power)),
             UnitScale::Decimal(_) | UnitScale::Factor(_) | UnitScale::Divisor(_) => None,
         })

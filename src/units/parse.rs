@@ -186,7 +186,7 @@ const FRACTIONS: [(char, &str); 7] =
     [('½', " 1/2"), ('¼', " 1/4"), ('¾', " 3/4"), ('⅛', " 1/8"), ('⅜', " 3/8"), ('⅝', " 5/8"), ('⅞', " 7/8")];
 
 /// The numerator and the denominator of a fraction, "1/2", "1 1/2" or "1-1/2", and the unit behind it; `None` for a text without a
-/// fraction. `number` and `rest` are the parts of a text by [`split`].
+/// fraction. `number` and `rest` are the parts of a text by [`split_number_and_unit`].
 fn split_fraction<'t>(number: &str, rest: &'t str) -> Option<([i64; 2], &'t str)> {
     let natural = |text: &str| text.parse::<u16>().ok().map(i64::from);
     let (sign, number) = number.strip_prefix('-').map_or((1, number), |positive| (-1, positive));

@@ -18,15 +18,15 @@ pub(super) struct Unit {
     pub(super) name: &'static str,
     pub(super) dimension: Dimension,
     pub(super) scale: UnitScale,
-    pub(super) is_display_unit: bool,
+    pub(super) is_displayed: bool,
 }
 
 const fn display_unit(name: &'static str, dimension: Dimension, power: i32) -> Unit {
-    Unit { name, dimension, scale: UnitScale::PowerOfTen(power), is_display_unit: true }
+    Unit { name, dimension, scale: UnitScale::PowerOfTen(power), is_displayed: true }
 }
 
 const fn input_unit(name: &'static str, dimension: Dimension, scale: UnitScale) -> Unit {
-    Unit { name, dimension, scale, is_display_unit: false }
+    Unit { name, dimension, scale, is_displayed: false }
 }
 
 use Dimension::{

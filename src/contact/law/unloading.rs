@@ -93,7 +93,7 @@ pub struct Unloading {
 ///
 /// At first yield f_m ε_m/w_m − 1 is 3/2. From there n falls to the requested exponent if that is below 3/2; if it is above, n
 /// jumps to it. An impact warns of a larger exponent than requested. It has no answer if the requested one would recover over
-/// 5 % more than was spent ([`Law::check`](super::Law::accept)). A code that computes the force alone always gets an exponent.
+/// 5 % more than was spent ([`Law::check`](super::Law::check)). A code that computes the force alone always gets an exponent.
 #[inline(always)]
 pub(crate) fn allowed_exponent(spent: f64, peak: &ContactState, asked: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;

@@ -33,7 +33,7 @@ impl Memory {
             && elastic_approach <= largest * (1.0 + 1e-9)
     }
 
-    pub(in crate::impact) fn to_state(&self, length: f64, force: f64) -> Option<ContactState> {
+    pub(in crate::impact) fn to_state(self, length: f64, force: f64) -> Option<ContactState> {
         (self.indentation > 0.0).then(|| ContactState {
             indentation: self.indentation / length,
             force: self.force / force,

@@ -147,13 +147,13 @@ impl ContactPlate {
     /// The plate in the units of an impact at `speed` \[m/s\] with Hertz's stiffness K. `undamped_contact_time` is the contact time \[s\]
     /// without a plate.
     pub(in crate::impact) fn to_scaled(
-        &self,
+        self,
         speed: f64,
         hertz_stiffness: f64,
         scales: &Scales,
         free_time: f64,
     ) -> Result<ScaledPlate, PlateError> {
-        let Self { plate: Plate { thickness, theory, .. }, mass, wave_speed, mobility: thin } = *self;
+        let Self { plate: Plate { thickness, theory, .. }, mass, wave_speed, mobility: thin } = self;
         let wave_transits = wave_speed * free_time / thickness;
         let zener_number = thin * mass * pow(hertz_stiffness * speed.sqrt() / mass, 0.4);
         if zener_number > MAX_ZENER_NUMBER {
@@ -165,6 +165,6 @@ impl ContactPlate {
             PlateTheory::Zener => thin,
             PlateTheory::Thick => thin * (1.0 + 1.86 / wave_transits),
         };
-        Ok(ScaledPlate { plate: *self, mobility: mobility * scales.force / scales.speed, zener_number, wave_transits })
+        Ok(ScaledPlate { plate: self, mobility: mobility * scales.force / scales.speed, zener_number, wave_transits })
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! Bouncing ends by rule ([`SeriesEnd`]). The motion after the end is estimated, not computed.
 //!
-//! [`law::Surface`](crate::contact::law::Ground) states when an impact on a used spot is elastic. A second equal shot is not
+//! [`Surface`](crate::contact::law::Surface) states when an impact on a used spot is elastic. A second equal shot is not
 //! elastic: it is as deep as one impact at √(2 − e²) times the speed. Equal shots deepen the dent less and less, until its branch
 //! can store their whole energy.
 //!

@@ -105,7 +105,6 @@ pub fn integrate<'a, I: Integrator>(
         let is_captured = q == 0.0 || forces.is_conservative() && forces.is_captured(&unloading, q);
         let stops = is_captured && forces.is_conservative();
         let end = if stops { unloading.elastic_approach_at_force(forces.weight) } else { 0.0 };
-        path.leg = Leg::Unloading(end);
         let static_point = may_creep.then(|| forces.equilibrium_on_unloading(ground, &unloading));
         path.rest = static_point.and_then(|point| forces.rest_criterion(&point, point.distance));
         let step = ground.force_drop_at_peak(&unloading);
@@ -119,8 +118,8 @@ pub fn integrate<'a, I: Integrator>(
                 recorder.record_event(Event::Relaxation, &relaxed);
             }
             at.speed = 0.0;
-            path.leg = Leg::Unloading(end);
         }
+        path.leg = Leg::Unloading(end);
         if landing == LegEnd::Turning {
             landing = go(&path, &mut at, None, recorder)?;
         }
@@ -132,18 +131,17 @@ pub fn integrate<'a, I: Integrator>(
         }
         recorder.record_event(if fate == ImpactEnd::Separated { Event::Separation } else { Event::Captured }, &at);
     }
-    let MotionState { time, distance, speed, loss } = at;
     // an excess above 1 is the error of the run
     let limit = if forces.is_lossless(ground, &unloading) { 1.0 } else { f64::INFINITY };
     Ok(ScaledResult {
-        restitution: if fate == ImpactEnd::Captured { 0.0 } else { (-speed / q).min(limit) },
+        restitution: if fate == ImpactEnd::Captured { 0.0 } else { (-at.speed / q).min(limit) },
         loading_time,
-        contact_time: time,
+        contact_time: at.time,
         end: fate,
         largest_force: ground.reported_force(&unloading, drag.acts_in_contact().then_some(largest)),
-        end_indentation: distance + ground.deepest_state(&unloading.peak).residual(),
-        end_speed: speed,
-        loss: loss / FORCE_FACTOR,
+        end_indentation: at.distance + ground.deepest_state(&unloading.peak).residual(),
+        end_speed: at.speed,
+        loss: at.loss / FORCE_FACTOR,
         unloading,
     })
 }

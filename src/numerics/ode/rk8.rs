@@ -176,7 +176,7 @@ struct LegConstants {
     /// 1/(estimate limit × size of y).
     inverse_y: f64,
     inverse_u: f64,
-    /// Limit of [`Landed::left_out_squared`](super::landing::Landed::left_out_squared).
+    /// Limit of `Landed::left_out_squared`.
     left_out_squared: f64,
 }
 

@@ -15,7 +15,7 @@ pub(in crate::scenario) struct Excerpt {
     /// The marked text, shortened for display.
     pub value: String,
     /// The line, and the marker below the part.
-    pub excerpt: String,
+    pub marked_line: String,
 }
 
 impl Excerpt {
@@ -36,8 +36,8 @@ impl Excerpt {
         let width = marked.min(shown.chars().count().saturating_sub(indent)).max(1);
         let (gutter, mark) = (line.to_string().len(), "^".repeat(width));
         let value = shown.chars().skip(indent).take(width).collect();
-        let excerpt = format!("\n{:gutter$} |\n{line} | {shown}\n{:gutter$} | {:indent$}{mark}", "", "", "");
-        Self { line, column: column + 1, value, excerpt }
+        let marked_line = format!("\n{:gutter$} |\n{line} | {shown}\n{:gutter$} | {:indent$}{mark}", "", "", "");
+        Self { line, column: column + 1, value, marked_line }
     }
 }
 

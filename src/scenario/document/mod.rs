@@ -258,9 +258,9 @@ impl Document {
                 details.value = text.split_once('=').map(|(_, value)| value.to_owned());
             }
             Some(Location::File(span)) => {
-                let Excerpt { line, column, value, excerpt: marked } = Excerpt::new(&self.text, &span);
+                let Excerpt { line, column, value, marked_line } = Excerpt::new(&self.text, &span);
                 begin = format!("{begin}:{line}:{column}");
-                excerpt = marked;
+                excerpt = marked_line;
                 (details.line, details.column) = (Some(line as u64), Some(column as u64));
                 // if the key itself is refused, the marker is under the key, and there is no value
                 let name = key.rsplit('.').next().unwrap_or(key);

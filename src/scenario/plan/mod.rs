@@ -137,9 +137,6 @@ impl Plan {
             Requirement::Flat if !input.has_strength(Body::Sphere) => {
                 Some("without sphere.yield_strength there is no flat")
             }
-            Requirement::Incidence if input.incidence().is_none() => {
-                Some("without impact.angle or sphere.spin nothing slides")
-            }
             Requirement::Flight if input.free_flight().is_none() => {
                 Some("without impact.drop_height or gravity.acceleration nothing says how high the sphere rises")
             }
@@ -155,7 +152,7 @@ impl Plan {
             Requirement::Target | Requirement::Struck if !is_free => {
                 Some("without half_space.mass the body that is hit is fixed")
             }
-            Requirement::Struck if input.incidence().is_none() => {
+            Requirement::Incidence | Requirement::Struck if input.incidence().is_none() => {
                 Some("without impact.angle or sphere.spin nothing slides")
             }
             Requirement::Density if is_on_plate => Some("with half_space.thickness a plate takes the energy"),

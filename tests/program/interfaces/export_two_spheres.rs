@@ -100,7 +100,7 @@ fn one_strength_of_two_equal_balls_warns() {
     let words = "e is off if both balls are of one material, mostly too high and by up to 7 %";
     // the share is largest between the first yield and deep dents
     let e = |text: &str, speed: &str| {
-        Sandbox::with_results(&text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap()
+        Sandbox::with_results(text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap()
     };
     let ratio = |speed: &str| e(&one, speed) / e(&both, speed);
     let [middle, fast] = ["0.3 m/s", "10 m/s"].map(ratio);

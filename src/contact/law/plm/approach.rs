@@ -88,7 +88,7 @@ impl ApproachPolyline {
         piece.map_or(force, |piece| piece.approach(force))
     }
 
-    /// ε as [`Self::at`] gives it, for forces that lie near each other: it begins to look at the piece of the force before.
+    /// ε as [`Self::approach`] gives it, for forces that lie near each other: it begins to look at the piece of the force before.
     pub(super) fn sequential_lookup(&self) -> impl FnMut(f64) -> f64 + '_ {
         let (pieces, mut place) = (&self.pieces, 0);
         move |force| {

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The sums are over the sphere and a half-space with a positive radius, and β_i is the fraction of the yielding in each ball
-//! ([`YieldPartition`](crate::contact::pair::Flow)). Two equal balls are one ball on a rigid wall at half the approach. f_P, ε_P and
+//! ([`YieldPartition`](crate::contact::pair::YieldPartition)). Two equal balls are one ball on a rigid wall at half the approach. f_P, ε_P and
 //! A_P = f_P/ε_P belong to the law without φ, and from A_fp on its approach is fully plastic. The contact radius and the exponent
 //! "pressure-shape" follow from A_P. A sphere that hardens has A' in place of A_P, and the yield point of σ_rep in s
 //! ([`hardening`](super::hardening)). φ stays constant after a/R has reached 0.6. If no ball yields, φ = 1.

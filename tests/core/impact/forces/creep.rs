@@ -150,7 +150,7 @@ fn trace_with_nan_row_is_error() {
     match contact.impact(3.0, &solver(Method::Rk8, 1e-10), Some(400)) {
         Err(ImpactError::Integration(IntegrationError::NotFinite { .. })) => {}
         Ok(impact) => {
-            assert!(impact.energy.balance_error.is_finite() && impact.trace.iter().all(|row| row.force.is_finite()))
+            assert!(impact.energy.balance_error.is_finite() && impact.trace.iter().all(|row| row.force.is_finite()));
         }
         Err(other) => panic!("{other}"),
     }
