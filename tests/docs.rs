@@ -178,10 +178,7 @@ const ERRORS: [(&str, &str); 5] = [
     ("e, exponent 3/2 of the paper", "load cycle: restitution, exponent 3/2"),
     ("e, `\"pressure-shape\"`, metal that strain-hardens", "hardening: restitution, pressure-shape"),
     ("force while the contact loads", "loading: force"),
-    (
-        "dent depth, over the largest indentation",
-        "load cycle: residual indentation, deviation over peak indentation",
-    ),
+    ("dent depth, over the largest indentation", "load cycle: residual indentation, deviation over peak indentation"),
 ];
 
 /// The cells of the row of a table that begins with this cell.
@@ -212,15 +209,28 @@ fn errors_on_page_of_limits_are_those_of_validation() {
     let (limits, validation) = (read("scenarios/trust.md"), read("plots/validate/README.md"));
     let percent = |text: &str| text.replace('−', "-").trim_end_matches(" %").parse::<f64>().unwrap();
     let [_, mean, rms, largest] = row(&validation, "load cycle: restitution, pressure-shape")[..] else { panic!() };
-    let sentence = format!(
-        "e has an rms error of {:.1} % and a maximum error of {:.1} %",
-        percent(rms),
-        percent(largest).abs()
-    );
+    let sentence =
+        format!("e has an rms error of {:.1} % and a maximum error of {:.1} %", percent(rms), percent(largest).abs());
     assert!(limits.contains(&sentence) && percent(mean).abs() < 0.5, "{sentence}");
     let [_, mean, ..] = row(&validation, "load cycle: restitution, exponent 3/2")[..] else { panic!() };
     let sentence = format!("e is {:.1} % too low on average", -percent(mean));
     assert!(limits.contains(&sentence), "{sentence}");
+}
+
+/// The guide states the largest representative plastic strain of the first scenario at three speeds, from a formula that it gives.
+#[test]
+fn strains_in_guide_are_those_of_the_first_scenario() {
+    let (clone, guide) = (Clone::new(), read("scenarios/README.md"));
+    let strain = |speed: &str| {
+        let run =
+            format!("plm-impact run scenarios/steel-on-steel.toml --json --pictures none --set impact.speed='{speed}'");
+        let summary: serde_json::Value = serde_json::from_str(&clone.shell(&run, 0)).unwrap();
+        let root = |key: &str| (summary[key].as_f64().unwrap() / 5e-3).sqrt();
+        format!("{:.1} % at {speed}", 37.0 * (root("peak_indentation_m") - root("yield_indentation_m")))
+    };
+    let [slow, middle, fast] = ["0.1 m/s", "3 m/s", "10 m/s"].map(strain);
+    let sentence = format!("is {slow}, {middle} and {fast} for the ball of `steel-on-steel.toml`");
+    assert!(guide.replace('\n', " ").contains(&sentence), "{sentence}");
 }
 
 #[test]
