@@ -17,8 +17,10 @@ use tempfile::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const TUTORIAL: &str = "scenarios/tutorial.md";
-const PAGES: [&str; 14] = [
+const PAGES: [&str; 16] = [
     "README.md",
+    "CHANGELOG.md",
+    "CONTRIBUTING.md",
     "src/README.md",
     "scenarios/README.md",
     "scenarios/gallery.md",
@@ -168,6 +170,73 @@ fn command_table_names_existing_commands_and_options() {
         }
     }
     assert!(count > 5, "{count}");
+}
+
+/// Rows of the table of errors on the front page, and the quantities of the page of validation that they repeat.
+const ERRORS: [(&str, &str); 5] = [
+    ("e, `unloading_exponent = \"pressure-shape\"`", "load cycle: restitution, pressure-shape"),
+    ("e, exponent 3/2 of the paper", "load cycle: restitution, exponent 3/2"),
+    ("e, `\"pressure-shape\"`, metal that strain-hardens", "hardening: restitution, pressure-shape"),
+    ("force while the contact loads", "loading: force"),
+    ("dent depth, over the largest indentation", "load cycle: residual indentation, deviation over peak indentation"),
+];
+
+/// The cells of the row of a table that begins with this cell.
+fn row<'a>(page: &'a str, first: &str) -> Vec<&'a str> {
+    let begin = format!("| {first} | ");
+    let line = page.lines().find_map(|line| line.strip_prefix(&begin)).unwrap_or_else(|| panic!("{first}"));
+    line.trim_end_matches(" |").split(" | ").collect()
+}
+
+#[test]
+fn errors_on_front_page_are_those_of_validation() {
+    let validation = read("plots/validate/README.md");
+    for (shown, quantity) in ERRORS {
+        let page = read("README.md");
+        let [old, computed] = [row(&page, shown).join(" | "), row(&validation, quantity)[1..].join(" | ")];
+        if is_updating() {
+            let line = |errors: &str| format!("| {shown} | {errors} |");
+            fs::write(Path::new(ROOT).join("README.md"), page.replace(&line(&old), &line(&computed))).unwrap();
+        } else {
+            assert_eq!(old, computed, "{shown}");
+        }
+    }
+}
+
+/// The page on limits repeats the rms and largest error of e, to the digits that the page shows.
+#[test]
+fn errors_on_page_of_limits_are_those_of_validation() {
+    let (limits, validation) = (read("scenarios/trust.md"), read("plots/validate/README.md"));
+    let percent = |text: &str| text.replace('−', "-").trim_end_matches(" %").parse::<f64>().unwrap();
+    let [_, mean, rms, largest] = row(&validation, "load cycle: restitution, pressure-shape")[..] else { panic!() };
+    let sentence =
+        format!("e has an rms error of {:.1} % and a maximum error of {:.1} %", percent(rms), percent(largest).abs());
+    assert!(limits.contains(&sentence) && percent(mean).abs() < 0.5, "{sentence}");
+    let [_, mean, ..] = row(&validation, "load cycle: restitution, exponent 3/2")[..] else { panic!() };
+    let sentence = format!("e is {:.1} % too low on average", -percent(mean));
+    assert!(limits.contains(&sentence), "{sentence}");
+}
+
+/// The guide states the largest representative plastic strain of the first scenario at three speeds, from a formula that it gives.
+#[test]
+fn strains_in_guide_are_those_of_the_first_scenario() {
+    let (clone, guide) = (Clone::new(), read("scenarios/README.md"));
+    let strain = |speed: &str| {
+        let run =
+            format!("plm-impact run scenarios/steel-on-steel.toml --json --pictures none --set impact.speed='{speed}'");
+        let summary: serde_json::Value = serde_json::from_str(&clone.shell(&run, 0)).unwrap();
+        let root = |key: &str| (summary[key].as_f64().unwrap() / 5e-3).sqrt();
+        format!("{:.1} % at {speed}", 37.0 * (root("peak_indentation_m") - root("yield_indentation_m")))
+    };
+    let [slow, middle, fast] = ["0.1 m/s", "3 m/s", "10 m/s"].map(strain);
+    let sentence = format!("is {slow}, {middle} and {fast} for the ball of `steel-on-steel.toml`");
+    assert!(guide.replace('\n', " ").contains(&sentence), "{sentence}");
+}
+
+#[test]
+fn front_page_is_short() {
+    let size = read("README.md").len();
+    assert!(size <= 9 * 1024, "{size} bytes");
 }
 
 /// The file that stands in a block of this language.

@@ -8,7 +8,7 @@ use crate::impact::STANDARD_GRAVITY;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::reference::{BOUNCE_INTERVALS, ReferenceRow};
 
-const SOURCE: &str = "intervals between bounces of a table-tennis ball by students (Ali, Broggi, Cantarini), without a second witness, scenarios/clicks.csv";
+const SOURCE: &str = "bounce intervals of a table-tennis ball, student measurements (Ali, Broggi, Cantarini), not independently confirmed, scenarios/clicks.csv";
 const IN_AIR: Group = Group::new("measured: restitution at a drop height over that at 8 cm, with air", SOURCE, "");
 const IN_VACUUM: Group =
     Group::new("measured: restitution at a drop height over that at 8 cm, without air", SOURCE, "");

@@ -46,7 +46,7 @@ fn strength_for(device: &ReferenceRow, wanted: f64, coefficients: &PlmCoefficien
     exp(0.5 * (low + high))
 }
 
-const CONVERSION: &str = "Leeb's conversion of hardness: a fit by a hobbyist (T. Foale) to a table that he does not name; one row checked against ASTM E140 within 1.4 %";
+const CONVERSION: &str = "Leeb's conversion of hardness: a fit (T. Foale) to an unnamed conversion table; one row checked against ASTM E140 within 1.4 %";
 const BY_HARDNESS: Group =
     Group::new("restitution of quenched steels by their hardness, pressure-shape with waves", CONVERSION, "");
 

@@ -1,6 +1,7 @@
 """The examples run, and a strict type checker accepts them."""
 
 import inspect
+import json
 import re
 import subprocess
 import sys
@@ -26,13 +27,25 @@ def test_the_example_draws_e_against_v(tmp_path: Path) -> None:
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
-@pytest.mark.parametrize("page", ["README.md", "src/registry.md"])
-def test_python_of_pages_runs_without_warnings(page: str) -> None:
-    _, block = (ROOT / page).read_text().split("```python\n")
+@pytest.mark.parametrize(
+    "page, heading",
+    [("README.md", "## Python\n"), ("src/registry.md", "## The Python module\n"), ("scenarios/tables.md", "## From Python\n")],
+)
+def test_python_of_pages_runs_without_warnings(page: str, heading: str) -> None:
+    _, block = (ROOT / page).read_text().split(heading)[1].split("\n## ")[0].split("```python\n")
     # `pip install .` brings NumPy and no other package
     others = ["pandas", "polars", "pyarrow", "xarray", "duckdb", "matplotlib"]
     alone = f"import sys; sys.modules.update(dict.fromkeys({others}))\n"
     run("-W", "error", "-c", alone + block.split("```")[0], cwd=ROOT)
+
+
+def test_ten_lines_of_the_page_read_a_run(command: Path, tmp_path: Path) -> None:
+    subprocess.run([command, "run", ROOT / "scenarios" / "steel-on-steel.toml"], cwd=tmp_path, check=True)
+    section = (ROOT / "scenarios" / "tables.md").read_text().split("### Read `summary.json`")[1]
+    printed = run("-c", section.split("```python\n")[1].split("```")[0], cwd=tmp_path)
+    summary = json.loads((tmp_path / "plots" / "steel-on-steel" / "summary.json").read_text())
+    assert printed.startswith(f"e = {summary['restitution']} interval: {summary['restitution_interval']}\n")
+    assert f"\n{summary['peak_force_N']} N is the maximum of " in printed
 
 
 def test_wheel_has_licences_of_linked_crates() -> None:

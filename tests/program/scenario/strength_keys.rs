@@ -190,7 +190,7 @@ fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
     assert!(relative_error(restitution(&hardening), 0.513_146_638_758_511_5) < 1e-8, "{}", restitution(&hardening));
 }
 
-/// The page scenarios/trust.md says that a simulated Brinell test gives 11 to 14 % more than the number typed. The parts: the
+/// At these loads a simulated Brinell test gives 11 to 14 % more than the number typed, as scenarios/trust.md explains. The parts: the
 /// table of ISO 18265 (HV = 1.05 HB), the faces of the pyramid over their projection (1/0.9272), and the area of the cap.
 #[test]
 fn simulated_brinell_test_reads_high() {
