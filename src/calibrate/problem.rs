@@ -24,7 +24,7 @@ pub enum PredictionError {
     #[error(transparent)]
     Indentation(#[from] IndentationError),
     /// The sphere stays in its dent, so a measured quantity such as the contact time does not exist.
-    #[error("a quantity that was measured does not exist there, as the sphere does not leave")]
+    #[error("a measured quantity does not exist there, because the sphere does not separate.")]
     Captured,
     /// The result is no longer wanted.
     #[error("the calibration was stopped")]

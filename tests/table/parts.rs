@@ -259,7 +259,7 @@ fn a_table_that_was_put_together_is_kept() {
     let mut again = Command::new(PROGRAM);
     again.current_dir(desk.path("")).args(["run", "s.toml", "--out", "out", "--pictures", "none"]);
     again.env(ROWS_PER_PART, "500");
-    assert!(ends(again, 0).contains("12000 of these rows were there"));
+    assert!(ends(again, 0).contains("12000 rows were already computed"));
     assert_eq!((table(), summary(&desk, "out")), (made, of_first));
     // a table that lost its end is made anew
     let whole = fs::read(desk.path("out/table.csv")).unwrap();

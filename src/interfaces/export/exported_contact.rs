@@ -29,10 +29,10 @@ impl ExportedContact {
         match kind {
             Kind::Calibrate => {
                 return refuse(
-                    "its keys are still to be found: export the calibrated.toml that `plm-impact calibrate` writes",
+                    "this scenario is a calibration. Run `plm-impact calibrate`, and export the resulting calibrated.toml.",
                 );
             }
-            Kind::Indentation => return refuse("there is no impact in it: leave this table out, and give an impact"),
+            Kind::Indentation => return refuse("this scenario has no impact. Remove this table, and add [impact]."),
             _ => {}
         }
         let plan = kind.is_table().then(|| scenario.plan()).transpose()?;

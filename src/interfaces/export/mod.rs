@@ -42,7 +42,7 @@ pub fn export(scenario: &Scenario, request: &ExportRequest, command: &str) -> Re
     };
     let impact = at(speed)?;
     if impact.measured_restitution() <= 0.0 {
-        return Err(Error::input(format!("at {speed} m/s the sphere does not rebound, and no spring has e = 0")));
+        return Err(Error::input(format!("no rebound at {speed} m/s; a spring-dashpot cannot have e = 0")));
     }
     let mut table = Vec::new();
     if request.target.accepts_table() {

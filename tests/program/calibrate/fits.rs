@@ -290,11 +290,11 @@ fn interval_at_its_bound_is_not_bounded() {
     let (desk, summary) = run_calibration(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}")), data, &[], 0);
     let interval = &summary["keys"][0]["interval_95"];
     assert!(interval["high"].is_null() && interval["low"].as_f64().unwrap() > 100e6, "{interval}");
-    assert_eq!(interval["note"], "not bounded by these data");
+    assert_eq!(interval["note"], "open interval");
     assert!(
         desk.run_expecting(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0)
             .0
-            .contains("and more, not bounded by these data")
+            .contains("and more (open interval)")
     );
     desk.run_expecting(&["calibrate", "s.toml", "--out", "p", "--pictures", "none", "--strict"], 1);
     assert!(!desk.path("p").exists());

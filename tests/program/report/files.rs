@@ -136,7 +136,7 @@ fn e_of_oblique_impact_uses_normal_speed() {
 fn closed_form_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
     let run = outcome(scenario);
     let line = |name: &str| run.text.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
-    assert!(line("energy").contains(", balance off by "), "{}", run.text);
+    assert!(line("energy").contains(", energy balance error "), "{}", run.text);
     (line("closed form"), run.warnings)
 }
 

@@ -224,7 +224,7 @@ fn no_interval_beside_a_warning_without_figures() {
     let (kind, [low, high]) = part(&thin, "theory of the plate").unwrap();
     assert!(kind == "width" && low < 0.0 && high == 0.0, "{thin}");
     let (none, warned) = drop(&[&aluminium[..], &["--thickness", "2 mm"]].concat());
-    assert!(number(&none, "inelasticity") > 1.5 && warned.contains("Zener's number is 2.9"), "{warned}");
+    assert!(number(&none, "inelasticity") > 1.5 && warned.contains("Zener's number 2.9"), "{warned}");
     assert!(none.get("restitution_interval").is_none() && number(&none, "restitution") < 1e-3, "{none}");
     assert!(drop(&["--on", "lead", "--speed", "30 m/s"]).0.get("restitution_interval").is_none());
     assert!(drop(&["--on", "lead", "--speed", "0.5 m/s"]).0.get("restitution_interval").is_none());
@@ -247,7 +247,7 @@ fn metals_that_harden_are_computed_on_their_like() {
         let summary: Value = serde_json::from_str(&printed).unwrap();
         assert_eq!(summary["yields"], "both", "{metal}");
         assert!(
-            warned.contains("hardens, and its hardness is used without an exponent N")
+            warned.contains("strain-hardens, but its hardness is used without a hardening exponent N")
                 && warned.contains("give --ball-strength"),
             "{warned}"
         );
