@@ -14,6 +14,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use super::{ContactState, Unloading, UnloadingShape};
+use crate::contact::pair::ALONE_FROM;
 use crate::contact::strength::flow_curve::FlowError;
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::root::bisect;
@@ -192,7 +193,7 @@ pub enum LawError {
     Flow(#[from] FlowError),
     /// A flow curve although both bodies yield.
     #[error(
-        "both bodies yield (strength ratio {}, below 1.25), and a flow curve can be used only if one body yields. Give both bodies a yield_strength at the strain of the impact, without flow_stress, or increase the ratio to at least 1.25.",
+        "both bodies yield (strength ratio {}, below {ALONE_FROM}), and a flow curve can be used only if one body yields. Give both bodies a yield_strength at the strain of the impact, without flow_stress, or increase the ratio to at least {ALONE_FROM}.",
         format_four_digits(*.ratio)
     )]
     BothFlow {

@@ -73,7 +73,7 @@ pub enum IndentationError {
         reason: LawError,
     },
     /// A step that ends at its start.
-    #[error("step {step} ends where it begins; take it out, or give it another target")]
+    #[error("step {step} ends where it begins. Remove this step, or give it another target.")]
     NoMove { step: usize },
     /// A step whose contact is wider than any sphere.
     #[error(

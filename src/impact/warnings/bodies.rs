@@ -119,10 +119,13 @@ pub(crate) fn ignored_strength(
     if flow.is_sphere { Some((["half-space", "sphere"], half_space?)) } else { of_sphere() }
 }
 
+/// Mean pressure over yield strength, from which on a body yields.
+const YIELD_PRESSURE_RATIO: f64 = 1.1;
+
 /// The warning for a body of this strength under a mean pressure, if the law ignores the strength. `so` states the consequence for
 /// the results.
 pub(crate) fn yielding_warning(pressure: f64, left_out: Option<([&str; 2], f64)>, so: &str) -> Option<Warning> {
-    let ([body, other], strength) = left_out.filter(|(_, strength)| pressure > 1.1 * strength)?;
+    let ([body, other], strength) = left_out.filter(|(_, strength)| pressure > YIELD_PRESSURE_RATIO * strength)?;
     let ratio = pressure / strength;
     let [peak, own] = [pressure, strength].map(|pressure| format_result(pressure, Dimension::Pressure));
     let text = if ratio > FULL_PLASTICITY_RATIO {
@@ -132,7 +135,7 @@ pub(crate) fn yielding_warning(pressure: f64, left_out: Option<([&str; 2], f64)>
         )
     } else {
         format!(
-            "{so}: the {body} would yield too, but stays elastic here. The mean pressure {peak} exceeds 1.1 times its yield strength {own}."
+            "{so}: the {body} would yield too, but stays elastic here. The mean pressure {peak} exceeds {YIELD_PRESSURE_RATIO} times its yield strength {own}."
         )
     };
     Some(Warning::new(WarningKind::SphereYields, ratio, text))

@@ -126,6 +126,13 @@ fn adhesion_warning(contact: &Contact, speed: f64) -> Option<Warning> {
     })
 }
 
+/// Plate thicknesses that a wave travels during the contact, below which a plate acts as a half-space.
+const MIN_PLATE_THINNESS: f64 = 2.0;
+/// Contact radius over plate thickness, from which on a plate is not as stiff under the sphere as a half-space.
+const MAX_CONTACT_OVER_THICKNESS: f64 = 0.15;
+/// Deflection over plate thickness, from which on a plate also stretches.
+const MAX_DEFLECTION_OVER_THICKNESS: f64 = 0.3;
+
 /// The warnings for a plate, hit with this contact radius \[m\].
 fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) -> impl Iterator<Item = Warning> + use<> {
     let PlateResult { inelasticity, thinness, displacement, reach, .. } = *on_plate;
@@ -138,10 +145,10 @@ fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) ->
             "by a fifth at 10 thicknesses and by half at 5. Use half_space.plate = \"thick\", whose loss is within 8 %",
         ),
     };
-    let is_thick = thinness < 2.0;
+    let is_thick = thinness < MIN_PLATE_THINNESS;
     let thick = Warning::new_if(is_thick, WarningKind::ThickPlate, -thinness, || {
         format!(
-            "The plate model does not apply. During the contact a wave travels only {thinness:.2} plate thicknesses; below 2 the plate acts as a half-space. Remove half_space.thickness."
+            "The plate model does not apply. During the contact a wave travels only {thinness:.2} plate thicknesses; below {MIN_PLATE_THINNESS} the plate acts as a half-space. Remove half_space.thickness."
         )
     });
     let between = Warning::new_if(!is_thick && thinness < least, WarningKind::ModeratelyThickPlate, -thinness, || {
@@ -150,9 +157,9 @@ fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) ->
         )
     });
     let ratio = contact_radius / thickness;
-    let wide = Warning::new_if(ratio > 0.15, WarningKind::WideContactOnPlate, ratio, || {
+    let wide = Warning::new_if(ratio > MAX_CONTACT_OVER_THICKNESS, WarningKind::WideContactOnPlate, ratio, || {
         format!(
-            "The result is an estimate. Contact radius / plate thickness = {ratio:.3} exceeds 0.15: the local stiffness of the plate differs by more than 10 % from a half-space, and the plate may yield through its thickness."
+            "The result is an estimate. Contact radius / plate thickness = {ratio:.3} exceeds {MAX_CONTACT_OVER_THICKNESS}: the local stiffness of the plate differs by more than 10 % from a half-space, and the plate may yield through its thickness."
         )
     });
     let near = plate.edge_distance.filter(|distance| *distance < reach).map(|distance| {
@@ -163,9 +170,9 @@ fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) ->
         Warning::new(WarningKind::NearEdge, reach / distance, text)
     });
     let ratio = displacement / thickness;
-    let deep = Warning::new_if(ratio > 0.3, WarningKind::DeepPlate, ratio, || {
+    let deep = Warning::new_if(ratio > MAX_DEFLECTION_OVER_THICKNESS, WarningKind::DeepPlate, ratio, || {
         format!(
-            "The plate is stiffer than computed. The plate moves by {ratio:.2} times its thickness; above 0.3 it also stretches."
+            "The plate is stiffer than computed. The plate moves by {ratio:.2} times its thickness; above {MAX_DEFLECTION_OVER_THICKNESS} it also stretches."
         )
     });
     let little = Warning::new_if(

@@ -64,7 +64,7 @@ impl ExportedContact {
             Support::Fixed => None,
             Support::Ball => contact.half_space().ball_radius(),
             Support::Free(_) => {
-                let message = "these lines are for a wall that is fixed, or for two spheres: leave this key out, or give mass = \"ball\" with half_space.radius and half_space.density";
+                let message = "only a fixed wall or two spheres can be exported. Remove this key, or give mass = \"ball\" with half_space.radius and half_space.density.";
                 return Err(scenario.document.refusal("half_space.mass", message));
             }
         };

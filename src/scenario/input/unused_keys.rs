@@ -1,6 +1,7 @@
 //! Finds given keys that have no effect on the results.
 
 use super::{Body, Input};
+use crate::contact::pair::ALONE_FROM;
 use crate::impact::Method;
 use crate::scenario::keys::key;
 
@@ -22,10 +23,12 @@ pub fn unused_reason(path: &str, inputs: &[Input], purpose: RunKind) -> Option<&
         "sphere.poissons_ratio" => {
             (all(|input| input.number(key!("sphere.youngs_modulus")) == Some(f64::INFINITY)), "the sphere is rigid")
         }
-        _ if path.starts_with("sphere.flow_stress") && all(|input| input.is_harder(Body::Sphere, 1.25)) => {
+        _ if path.starts_with("sphere.flow_stress") && all(|input| input.is_harder(Body::Sphere, ALONE_FROM)) => {
             (true, "only the half-space yields")
         }
-        _ if path.starts_with("half_space.flow_stress") && all(|input| input.is_harder(Body::HalfSpace, 1.25)) => {
+        _ if path.starts_with("half_space.flow_stress")
+            && all(|input| input.is_harder(Body::HalfSpace, ALONE_FROM)) =>
+        {
             (true, "only the sphere yields")
         }
         "sphere.yield_strength" | "sphere.hardness" => (

@@ -59,7 +59,7 @@ const fn bounded_quantity(
 pub const LENGTH: Quantity = positive("a length", Dimension::Length, "\"5 mm\"");
 /// A radius of curvature: of a hollow where it is negative.
 pub const CURVATURE: Quantity = Quantity {
-    too_high: "for a flat half-space leave the key out",
+    too_high: "for a flat half-space remove the key",
     ..bounded_quantity("a radius", Dimension::Length, Excluded(f64::NEG_INFINITY), Excluded(f64::INFINITY), "\"10 mm\"")
 };
 pub const MODULUS: Quantity = positive("a Young's modulus", Dimension::Pressure, "\"210 GPa\"");

@@ -82,7 +82,7 @@ fn a_sphere_that_may_stick_is_warned_of() {
         desk.run_expecting(&["check", "s.toml", "--set", &diameter, "--set", &speed], 0).1
     };
     let said = warned("0.1 mm", "25 mm/s");
-    assert!(said.contains("adhesion") && said.contains("stick below 4.2"), "{said}");
+    assert!(said.contains("adhesion") && said.contains("sticks below 4.2"), "{said}");
     assert!(!warned("0.1 mm", "35 mm/s").contains("adhesion"));
     assert!(!warned("10 mm", "1 mm/s").contains("adhesion"));
     // a table says it of its slowest row, and a series of the first bounce that is so slow
@@ -92,7 +92,7 @@ fn a_sphere_that_may_stick_is_warned_of() {
     ];
     let small = STEEL.replace("radius = \"5 mm\"", "diameter = \"0.1 mm\"");
     for (text, begin) in [
-        (small.replace("speed = \"3 m/s\"", "") + axis, "at impact.speed = 25 mm/s: adhesion"),
+        (small.replace("speed = \"3 m/s\"", "") + axis, "at impact.speed = 25 mm/s: e is too high, because adhesion"),
         (small.clone() + bounces, "impact "),
     ] {
         let (_, said) = Sandbox::with(&text).run_expecting(&["check", "s.toml"], 0);

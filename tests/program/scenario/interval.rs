@@ -88,7 +88,7 @@ fn intervals_of_one_plate_overlap() {
     let (by_strength, _) = drop(&[&s235[..], &["--strength", "235 MPa"]].concat());
     let (by_hardness, said) = drop(&[&s235[..], &["--hardness", "120 HV"]].concat());
     let (by_name, _) = drop(&s235);
-    assert!(said.contains("give half_space.flow_stress.power.exponent"), "{said}");
+    assert!(said.contains("Set half_space.flow_stress.power.exponent"), "{said}");
     let piece = "[sphere]\nmaterial = \"steel-52100-hardened\"\ndiameter = \"10 mm\"\n[impact]\ndrop_height = \"1 m\"\n[law.plm]\nunloading_exponent = \"pressure-shape\"\n[half_space]\nmaterial = \"steel-s235\"\nhardness = \"120 HV\"\nflow_stress.power.exponent = 0.2\nrate.johnson_cook.c = 0.01\n";
     let desk = Sandbox::with(piece);
     desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none", "--force"], 0);
@@ -248,7 +248,7 @@ fn metals_that_harden_are_computed_on_their_like() {
         assert_eq!(summary["yields"], "both", "{metal}");
         assert!(
             warned.contains("strain-hardens, but its hardness is used without a hardening exponent N")
-                && warned.contains("give --ball-strength"),
+                && warned.contains("Set --ball-strength"),
             "{warned}"
         );
         let [low, high] = interval(&summary);

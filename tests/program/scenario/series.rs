@@ -65,7 +65,7 @@ fn bouncing_ball_reports_place_and_time_of_end() {
             && relative_error(of_rest.parse().unwrap(), 1e3 * rest) < 1e-3,
         "{line}"
     );
-    assert!(line.ends_with("of it after the last separation"), "{line}");
+    assert!(line.ends_with("after the last separation"), "{line}");
     // the trace goes from the release through every impact
     assert!(numbers(&trace, "time_s").is_sorted() && numbers(&trace, "height_m")[0] == 0.5);
     assert_eq!(column(&trace, "event").iter().filter(|event| *event == "touch").count(), 4);
