@@ -38,8 +38,8 @@ fn files_of_equal_name_are_refused_first() {
 fn unknown_columns_are_refused_with_scenario_kind() {
     let columns = "output.columns=[\"restitution\"]";
     for (more, kind) in [
-        ("", "one impact"),
-        ("[repeat]\nspot = \"same\"\nimpacts = 2\n", "impacts one after the other"),
+        ("", "a single impact"),
+        ("[repeat]\nspot = \"same\"\nimpacts = 2\n", "a series of impacts"),
         ("[indentation]\nsteps = [{ load = 10 }]\n", "an indentation"),
     ] {
         let scenario =
