@@ -248,7 +248,7 @@ fn c_program_prints_bits_of_library() {
         "\nno scenar\nnan nan nan\nno memory is spoilt\n",
         &format!("\n{}\n{}\n1 1 1\nradii 1 0.005 0.00375\n", bits[0], bits[1]),
         &format!("\nrated {of_rate}\nscenario:2:"),
-        "the strength depends on the speed: give impact.speed",
+        "strain-rate keys require impact.speed",
         &format!("\n{}21 frictions fail\nno friction without a contact\n", friction_along_the_path(&contact)),
         &format!(
             "\nsphere {of_sphere}\n1 1 1 of no contact\nthreads agree\nforces 0 1 1 1 1 0\nversion 0.1.0 0.1.0 0\nfingerprints 1 0 1"

@@ -129,7 +129,7 @@ impl MeasurementData {
             data.row(line, &record, &columns).map_err(|message| refused((Some(line), message)))?;
         }
         if data.values.is_empty() {
-            return Err(refused((None, "has no measured value below the names of the columns".to_owned())));
+            return Err(refused((None, "contains no data rows".to_owned())));
         }
         Ok(data)
     }
@@ -141,7 +141,9 @@ impl MeasurementData {
             let column = if name == "note" { None } else { Some(self.column(name)?) };
             let is_same = |other: &DataColumn| column.as_ref().is_some_and(|column| column.role == other.role);
             if columns.iter().flatten().any(is_same) {
-                return Err(format!("the column `{name}` is there twice, or says the same as another; leave one out"));
+                return Err(format!(
+                    "duplicate column `{name}` (or a second column for the same quantity). Remove one."
+                ));
             }
             columns.push(column);
         }
@@ -150,7 +152,7 @@ impl MeasurementData {
             if let ColumnRole::Deviation(quantity) = column.role
                 && !has(ColumnRole::Measured(quantity))
             {
-                return Err(format!("the column `{}` has no column `{}` beside it", column.name, quantity.name()));
+                return Err(format!("the column `{}` requires a column `{}`", column.name, quantity.name()));
             }
         }
         let is_impact = MeasuredQuantity::ALL
@@ -159,7 +161,9 @@ impl MeasurementData {
         match (has(ColumnRole::Indentation), has(ColumnRole::Measured(MeasuredQuantity::Force))) {
             (true, true) | (false, false) if is_impact != has(ColumnRole::Indentation) => Ok(columns),
             (false, false) => Err(format!("no column is a measured quantity; {}", column_names())),
-            (true, true) => Err("a file holds impacts or an indentation curve, not both; make two files".to_owned()),
+            (true, true) => {
+                Err("a file contains impacts or an indentation curve, not both. Make two files.".to_owned())
+            }
             _ => Err("an indentation curve has the columns indentation_m and force_N".to_owned()),
         }
     }
@@ -195,11 +199,11 @@ impl MeasurementData {
         let dimension = quantity.dimension;
         let example = format!("{known}{}{}", dimension.suffix(), if is_deviation { "_sd" } else { "" });
         if unit.is_empty() && dimension != Dimension::Ratio {
-            return Err(format!("the column `{name}` has no unit: write {example}"));
+            return Err(format!("the column `{name}` has no unit. Write {example}"));
         }
         if !unit.is_empty() && parse(&format!("1 {unit}"), dimension).is_err() {
             let message = format!("the column `{name}` ends in `{unit}`, which is no unit of {}", dimension.name());
-            return Err(format!("{message}: write {example}, or another unit"));
+            return Err(format!("{message}. Write {example}, or another unit"));
         }
         let quantity = match role {
             _ if is_deviation => crate::scenario::keys::quantity::positive_quantity(dimension),
@@ -241,14 +245,14 @@ impl MeasurementData {
                         };
                         let interval = self.values.iter().rev().find(is_interval);
                         read.preceding_interval = Some(interval.map(|value| value.value).ok_or_else(|| {
-                            refuse("is empty, and the line before has no bounce_interval from which the speed follows; give a value".to_owned())
+                            refuse("is empty. It can be empty only if the line before has a bounce_interval. Give a value.".to_owned())
                         })?);
                         read.keys.push(f64::NAN);
                         continue;
                     }
                     ColumnRole::Deviation(_) => continue,
                     ColumnRole::Measured(quantity) if quantity != MeasuredQuantity::Force => continue,
-                    _ => return Err(refuse("is empty; give a value, or leave the line out".to_owned())),
+                    _ => return Err(refuse("is empty. Give a value, or remove the line.".to_owned())),
                 }
             }
             let value = column.read(field).map_err(refuse)?;
@@ -268,7 +272,7 @@ impl MeasurementData {
             }
         }
         if self.values.len() == first {
-            return Err("no quantity was measured in this line; leave it out".to_owned());
+            return Err("this line contains no measured value. Remove this line.".to_owned());
         }
         self.rows.push(read);
         Ok(())
@@ -279,8 +283,8 @@ impl DataColumn {
     fn read(&self, field: &str) -> Result<f64, String> {
         let number: f64 = field.parse().map_err(|_| {
             let hint = match (field.contains(','), field.contains('.')) {
-                (true, true) => "; write no sign between thousands, such as 1000.5 or 1000,5",
-                (true, false) => "; write a decimal point, not a comma",
+                (true, true) => ". Write no thousands separator, such as 1000.5 or 1000,5",
+                (true, false) => ". Write a decimal point, not a comma",
                 _ => "",
             };
             format!("\"{field}\" is no number{hint}")

@@ -104,10 +104,7 @@ fn unidentifiable_message(
     let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
     let off = format_percent(MODEL_ERROR);
     let statement = if let [name] = names[..] {
-        format!(
-            "twice the {name} changes what was measured by {} only, and the law itself is off by {off}",
-            format_percent(change)
-        )
+        format!("doubling {name} changes the predictions by only {} (model error {off})", format_percent(change))
     } else {
         let step = doubling_step(direction);
         let factors: Vec<String> = names
@@ -116,11 +113,11 @@ fn unidentifiable_message(
             .map(|(name, part)| (name, format_four_digits(exp(step * part))))
             // a key that does not change has no part in it
             .filter(|(_, factor)| factor != "1")
-            .map(|(name, factor)| format!("{name} times {factor}"))
+            .map(|(name, factor)| format!("{name} by {factor}"))
             .collect();
         format!(
-            "these measurements do not tell the keys apart: {} changes what was measured by {} only, and the law itself is off by {off}",
-            factors.join(" with "),
+            "the data cannot identify the keys separately: changing {} (factors) alters the predictions by only {} (model error {off})",
+            factors.join(" and "),
             format_percent(change)
         )
     };
@@ -129,18 +126,15 @@ fn unidentifiable_message(
     let helpful: Vec<String> =
         helpful.iter().map(|(name, change)| format!("{name} ({})", format_percent(*change))).collect();
     let way_out = if problem.data.is_curve() {
-        "; measure the unloading too, or give one of the keys its known value".to_owned()
+        ". Measure the unloading too, or fix one key at its known value.".to_owned()
     } else if helpful.is_empty() {
-        "; give one of the keys its known value".to_owned()
+        ". Fix one key at its known value.".to_owned()
     } else {
-        format!(
-            "; what would change, and is worth measuring: {}; or give one of the keys its known value",
-            helpful.join(", ")
-        )
+        format!(". Measure one of these, with its change: {}. Or fix one key at its known value.", helpful.join(", "))
     };
     let is_of_rate = names.len() > 1 && names.iter().any(|name| name.contains(".rate."));
     let of_rate = if is_of_rate {
-        "; a rate and a strength change e(v) alike, by 0.7 % a decade of speed apart: give the hardness or the static strength of the metal"
+        " Strength and strain-rate sensitivity have nearly the same effect on e(v) (difference 0.7 % per decade of speed). Give the hardness or the static strength of the metal."
     } else {
         ""
     };

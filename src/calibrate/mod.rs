@@ -89,12 +89,12 @@ impl CalibrationTask {
         let (values, keys, measured) =
             (self.data.values.len(), self.request.free.len(), self.data.measured_quantities());
         if values < keys {
-            return refuse(format!("{values} value for {keys} keys: measure more, or free fewer keys"));
+            return refuse(format!("{values} value cannot determine {keys} keys. Measure more, or fit fewer keys."));
         }
         let is_idle =
             |name: &String| !MeasuredQuantity::from_name(name).is_some_and(|quantity| measured.contains(&quantity));
         if let Some((name, _)) = self.request.deviations.iter().find(|(name, _)| is_idle(name)) {
-            return refuse(format!("calibrate.noise.{name} is given, but no {name} was measured; leave it out"));
+            return refuse(format!("calibrate.noise.{name} is given, but no {name} was measured. Remove this key."));
         }
         // the limit is known if speed and gravity are not to be found
         let is_open = |path: &str| path.starts_with("impact.") || path.starts_with("gravity.");
@@ -104,7 +104,7 @@ impl CalibrationTask {
                     [value.value, limit].map(|value_of| format_input(value_of, value.quantity.quantity().dimension));
                 let [found, limit] = shown.map(|text| text.trim_end().to_owned());
                 let message = format!(
-                    "the {} of {found} is more than a rebound without any loss gives, {limit}: check columns and units",
+                    "{} = {found} exceeds the elastic limit, {limit}. Check columns and units.",
                     value.quantity.name()
                 );
                 Err(self.data_error(self.value_line(value), message))
@@ -135,11 +135,11 @@ impl CalibrationTask {
             let whole = hypot(sd.unwrap_or(0.0), size * model_error);
             let message = if sd.is_none() && *model_error == 0.0 {
                 format!(
-                    "the {name} of this line has no standard deviation: give calibrate.noise.{name}, or a column for it, or noise = \"estimate\""
+                    "the {name} of this line has no standard deviation. Give calibrate.noise.{name}, or a column {name}_sd, or noise = \"estimate\"."
                 )
             } else if whole < MIN_DEVIATION * size {
                 format!(
-                    "the standard deviation of this {name} is {}, less than {} of the value: no instrument is so exact; give what the readings scatter by",
+                    "the standard deviation of this {name} is {}, which is implausibly small (less than {} of the value). Give the scatter of the readings.",
                     format_four_digits(whole),
                     format_four_digits(MIN_DEVIATION)
                 )
@@ -161,9 +161,9 @@ impl CalibrationTask {
         if *reason == PredictionError::Stopped {
             return Error::new(ErrorKind::Stopped(130), reason.to_string());
         }
-        let place = " anywhere in the range of the keys";
-        let [place, way_out] = if self.request.free.is_empty() { ["", ""] } else { [place, "; choose another range"] };
-        let reason = format!("the law has no answer for these measurements{place}: {reason}{way_out}");
+        let place = " within the search range";
+        let [place, way_out] = if self.request.free.is_empty() { ["", ""] } else { [place, " Change the range."] };
+        let reason = format!("the law is not defined for these measurements{place}: {reason}{way_out}");
         Error::for_file(ErrorKind::Input, &self.data.name, reason)
     }
 
@@ -261,16 +261,16 @@ fn reason_without_interval(fit: &Fit, identifiability: Option<&Identifiability>)
         let free = problem.free[0];
         let [low, high] = [low, high].map(|share| free.format_value(free.value_at_share(share), 4));
         return Some(format!(
-            "every {} from {low} to {high} gives the same, as these impacts stay elastic there: measure faster impacts",
+            "every {} from {low} to {high} fits equally well, because the impacts are then elastic. Measure at higher speeds.",
             free.key.path
         ));
     }
     let message = match fit.noise {
         Noise::TooFew => {
-            "no standard deviation was given, and as many values as keys leave no scatter to estimate it from: give calibrate.noise, or measure more"
+            "the noise is unknown, because there are only as many values as keys. Give calibrate.noise, or more measurements."
         }
         Noise::NoScatter => {
-            "the readings repeat without scatter, so that nothing is known of their noise: readings are rounded; give calibrate.noise, at least half of their last digit"
+            "repeated readings are identical, so the noise is unknown. Give calibrate.noise (at least half of the last digit)."
         }
         _ => return identifiability.and_then(|found| found.reason_without_intervals.clone()),
     };

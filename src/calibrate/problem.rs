@@ -23,8 +23,8 @@ pub enum PredictionError {
     /// An indentation has no result.
     #[error(transparent)]
     Indentation(#[from] IndentationError),
-    /// The sphere stays in its dent, so a measured quantity such as the contact time has no value.
-    #[error("a quantity that was measured does not exist there, as the sphere does not leave")]
+    /// The sphere stays in its dent, so a measured quantity such as the contact time does not exist.
+    #[error("a measured quantity does not exist there, because the sphere does not separate.")]
     Captured,
     /// The calibration was stopped.
     #[error("the calibration was stopped")]

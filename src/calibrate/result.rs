@@ -114,7 +114,7 @@ impl Calibration<'_> {
         let law = self.fit.problem.input.named_law.name();
         if self.outliers as f64 > MAX_OUTLIER_SHARE * values as f64 {
             return Verdict::Contradicted(format!(
-                "the law {law} does not fit: {} of {values} values are more than {OUTLIER_LIMIT} standard deviations from it; outliers are fewer",
+                "the law {law} does not fit: {} of {values} values deviate by more than {OUTLIER_LIMIT} standard deviations. Outliers are fewer.",
                 self.outliers
             ));
         }
@@ -146,7 +146,7 @@ impl Calibration<'_> {
         let keys = self.keys.iter().map(|key| key.free.key.path).collect::<Vec<_>>().join(", ");
         (unreached > 1e-6).then(|| {
             format!(
-                "no value of {keys} in its range gives what was measured under the law {law}; the nearest is off by {off}"
+                "no value of {keys} in the search range reproduces the measurement with the law {law}; the best deviates by {off}"
             )
         })
     }
@@ -156,11 +156,11 @@ impl Calibration<'_> {
         let off = format_percent(self.misfit);
         match self.runs.filter(|_| self.misfit > MODEL_ERROR) {
             Some(runs) if runs.p < REJECTION_P => {
-                let reason = format!("it is off by {off}, and the residuals keep their signs for too long");
+                let reason = format!("rms misfit {off}, and the residuals are not random (runs test)");
                 rejection(law, &reason, runs.p)
             }
             Some(runs) if runs.min_p >= REJECTION_P => Verdict::Undecided(format!(
-                "whether the law fits cannot be judged: it is off by {off}, but with {} values any noise explains that (the test of runs cannot fall below p = {}); give calibrate.noise, or measure more",
+                "the goodness of fit is unknown: rms misfit {off}, but {} values are too few for the runs test (its p cannot be below {}). Give calibrate.noise, or more measurements.",
                 self.residuals.len(),
                 format_four_digits(runs.min_p)
             )),
@@ -183,7 +183,7 @@ impl Calibration<'_> {
 
 fn rejection(law: &str, reason: &str, p: f64) -> Verdict {
     Verdict::Contradicted(format!(
-        "the law {law} does not fit these data within their noise: {reason}, p = {}; look at the residuals, and at other laws with --all-laws",
+        "the law {law} does not fit the data: {reason}, p = {}. Inspect residuals.png; compare laws with --all-laws.",
         format_four_digits(p)
     ))
 }

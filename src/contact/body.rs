@@ -101,7 +101,7 @@ impl HalfSpace {
 /// A quantity of the pair that double precision cannot hold.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
-    "{quantity} = {} cannot be held in double precision; choose a less extreme radius, modulus, density, strength or speed",
+    "{quantity} = {} is outside the range of double precision. Check the units; use a less extreme radius, modulus, density, strength or speed.",
     format_number(*.value)
 )]
 pub struct OutOfFloatRange {

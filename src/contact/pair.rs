@@ -51,7 +51,7 @@ impl YieldPoint {
 /// A hollow wall that is so narrow that a sphere does not touch it at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
-    "half_space.radius = {} is the radius of a hollow, and a sphere of radius {} touches it at a point only if the hollow has at least twice that radius: give at most {}, or a positive radius for a convex wall",
+    "half_space.radius = {} is the radius of a concave wall, and a sphere of radius {} touches such a wall at one point only if the radius of the wall is at least twice as large. Give at most {}, or a positive radius for a convex wall.",
     format_input(*.radius, Dimension::Length), format_input(*.sphere, Dimension::Length), format_input(-2.0 * *.sphere, Dimension::Length)
 )]
 pub struct HollowTooSmall {

@@ -163,8 +163,8 @@ pub fn refuse_special(path: &Path) -> io::Result<()> {
     if kind.is_dir() {
         return Err(io::Error::from(io::ErrorKind::IsADirectory));
     }
-    let described = if kind.is_symlink() { "a link" } else { "a device or a pipe" };
-    Err(io::Error::new(io::ErrorKind::InvalidInput, format!("it is {described}, and only ordinary files are written")))
+    let described = if kind.is_symlink() { "a symbolic link" } else { "a device or a pipe" };
+    Err(io::Error::new(io::ErrorKind::InvalidInput, format!("it is {described}; only regular files can be written")))
 }
 
 /// 64 random bits from the operating system, so that processes on all machines have different ones.

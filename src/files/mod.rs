@@ -53,19 +53,19 @@ pub fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
     move |reason| {
         let is_full = matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull);
         let kind = if is_full { ErrorKind::Failed } else { ErrorKind::Input };
-        Error::from_io(kind, path, "cannot be written", "name another directory with --out")(reason)
+        Error::from_io(kind, path, "cannot be written", "choose another directory with --out")(reason)
     }
 }
 
 /// The error of a file that another program wrote.
 pub fn foreign_file_error(path: &Path) -> Error {
-    let reason = "exists, and is no result of this program; move it, name another --out, or replace it with --force";
+    let reason = "already exists and was not written by this program. Move the file, choose another --out, or use --force to replace it.";
     Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
 }
 
 /// The error of a result that would replace the file of the scenario, or a file that the scenario reads.
 fn input_error(path: &Path) -> Error {
-    let reason = "this file belongs to the scenario, and the results would take its place; name another --out";
+    let reason = "this file belongs to the scenario, and the results would replace it. Choose another --out.";
     Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
 }
 
@@ -180,18 +180,18 @@ impl OutputDirectory {
             return before(Some(format!("the results of {other}")));
         }
         let whose = if is_other_text && noted(SCENARIO_PATH).is_none() {
-            format!("holds the results of another text from {other}")
+            format!("contains results of another text from {other}")
         } else {
-            format!("holds results of {other}, and these are of {own}")
+            format!("contains results of {other}; the current scenario is {own}")
         };
-        Err(self.refusal_error(&format!("{whose}; name another --out, or replace them with --force")))
+        Err(self.refusal_error(&format!("{whose}. Choose another --out, or use --force to replace them.")))
     }
 
     /// The error of results of the same file with other overrides.
     fn other_overrides(&self, scenario: &str, command: Option<&str>) -> Error {
         let made_by = command.map_or_else(String::new, |command| format!(", made by `{command}`"));
         self.refusal_error(&format!(
-            "holds results of {scenario} with other --set or options{made_by}; name another --out, or replace these results with --force. Without --out other settings have a folder of their own"
+            "contains results of {scenario} with other --set or options{made_by}. Choose another --out, or use --force to replace them. Without --out, other settings have a separate folder."
         ))
     }
 

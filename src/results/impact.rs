@@ -115,23 +115,23 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "restitution_interval_high" if TABLES [Interval: |row| row.restitution_interval.map(|[_, high]| high)];
         /// Energy in the plate at separation over the kinetic energy of the motion normal to the plate at first touch; under
         /// gravity it may exceed 1, as the weight does work too.
-        "plate_loss_fraction" in Percent as "the plate takes {} of the normal energy"
+        "plate_loss_fraction" in Percent as "plate loss"
             [Thickness: ImpactRow::plate_loss_fraction];
         /// Zener's inelasticity parameter: 0 for a thick plate; from 1 on little comes back.
-        "zener_number" as "Zener's number {}" [Thickness: |row| row.plate.map(|plate| plate.zener_number)];
+        "zener_number" as "Zener number" [Thickness: |row| row.plate.map(|plate| plate.zener_number)];
         /// How many plate thicknesses a wave travels during the contact time on a half-space: below 2 the plate acts as a
         /// half-space, from 10 on it is thin.
-        "plate_wave_transits" as "wave travels {} thicknesses" if PLATE: single.if_plate(|plate| plate.wave_transits);
+        "plate_wave_transits" as "wave transits of the plate" if PLATE: single.if_plate(|plate| plate.wave_transits);
         /// How far the plate has moved at separation.
-        "plate_displacement_m" in Length as "plate moves by"
+        "plate_displacement_m" in Length as "plate displacement"
             [Thickness: |row| row.plate.map(|plate| plate.displacement)];
         /// How far away an edge must be, so that no bending wave comes back from it during the contact.
-        "plate_wave_reach_m" in Length as "edges beyond {}"
+        "plate_wave_reach_m" in Length as "required edge distance {}"
             [Thickness: |row| row.plate.map(|plate| plate.wave_reach).filter(|reach| reach.is_finite())];
         /// Energy radiated as elastic waves, to first order, over the kinetic energy of the motion normal to the half-space.
-        "wave_loss_fraction" in Percent as "waves take {} of the normal energy" [Density: |row| row.wave_loss_fraction];
+        "wave_loss_fraction" in Percent as "wave loss" [Density: |row| row.wave_loss_fraction];
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
-        "restitution_with_waves" as "with waves" [Density: ImpactRow::restitution_with_waves];
+        "restitution_with_waves" as "restitution with waves" [Density: ImpactRow::restitution_with_waves];
         /// Speed of the sphere when it separates, normal to the half-space; negative where it pushes a lighter body on and follows it.
         "rebound_speed_m_per_s" in Speed as "rebound speed": single.impact.rebound_speed;
         /// Speed of the body that is hit after the impact, in the direction of the approach.
@@ -143,7 +143,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Height to which the sphere rises, with waves and air where they are known.
         "rebound_height_m" in Length as "rebound height" [Flight: |row| row.rebound_height];
         /// Share of the energy m g h of a fall to the impact speed that the air takes, buoyancy counted.
-        "air_loss_fraction" in Percent as "air took {} of the fall" if AIR: single.flight_in_air().and_then(|flying| {
+        "air_loss_fraction" in Percent as "air absorbed {} of the drop energy" if AIR: single.flight_in_air().and_then(|flying| {
             // near the terminal speed the height cannot be found from the speed
             let from_given = |height: &f64| flying.landing_speed(*height) == single.impact.speed;
             let height = single.drop_height.filter(from_given);
@@ -159,7 +159,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
             [Incidence: |row| rebound_value(row, |after| after.tangential_restitution)];
         /// Slip speed of the contact point after the impact over that before, negative where it slips on: -s_1/s_0; `null`
         /// where it did not slip.
-        "contact_point_restitution" as "of the contact point {}"
+        "contact_point_restitution" as "contact-point restitution {}"
             [Incidence: |row| rebound_value(row, |after| after.contact_point_restitution)];
         /// Speed of the sphere along the half-space after the impact.
         "rebound_tangential_speed_m_per_s" in Speed as "speed along the surface"
@@ -171,10 +171,10 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "impulse_ratio" as "impulse ratio" [Incidence: |row| rebound_value(row, |after| after.impulse_ratio)];
         /// Energy taken by friction over the kinetic energy of the whole speed, without that of the spin; a fast spin may bring
         /// more than that.
-        "friction_loss_fraction" in Percent as "friction takes {} of the whole energy"
+        "friction_loss_fraction" in Percent as "friction loss {} of the kinetic energy"
             [Incidence: |row| rebound_value(row, |after| after.loss_fraction)];
         /// `sliding` where the contact point slips all the time, by the closed form; else `partial`.
-        "sliding_regime" as "regime" if OBLIQUE:
+        "sliding_regime" as "friction regime" if OBLIQUE:
             single.impact.rebound.map(|after| if after.is_sliding { "sliding" } else { "partial" });
         /// 1 where the contact point slips all the time, else 0.
         "is_sliding" if TABLES [Incidence: |row| rebound_value(row, |after| f64::from(u8::from(after.is_sliding)))];
@@ -194,7 +194,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Largest indentation: how far the sphere's centre has come closer to the half-space.
         "peak_indentation_m" in Length as "peak indentation" [Nothing: |row| Some(row.peak_indentation)];
         /// The sphere's own share of the largest indentation, with the flat that it keeps; 0 for a rigid sphere.
-        "peak_sphere_indentation_m" in Length as "sphere {}": single.impact.peak_sphere_indentation;
+        "peak_sphere_indentation_m" in Length as "of it in the sphere {}": single.impact.peak_sphere_indentation;
         /// Contact radius at the largest indentation.
         "peak_contact_radius_m" in Length as "contact radius": single.impact.peak_contact_radius;
         /// Contact radius over the radius of the sphere, or of a smaller second ball; the warning of a dent that is too wide names the limit of the law.
@@ -210,13 +210,13 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "residual_indentation_m" in Length as "dent depth" [Strength: |row| Some(row.residual_indentation)];
         /// The part of the residual indentation that is a dent in the half-space. Where both bodies yield, the division is an
         /// estimate, validated up to a contact radius of 0.11 of the sphere's.
-        "dent_depth_m" in Length as "of it in the half-space {}" [Flat: |row| Some(row.dent_depth())];
+        "dent_depth_m" in Length as "dent {}" [Flat: |row| Some(row.dent_depth())];
         /// The part of the residual indentation that is a flat on the sphere.
         "flat_depth_m" in Length as "flat on the sphere {}" [Flat: |row| Some(row.flat_depth)];
         /// Diameter of the flat on the sphere: that of the contact at the peak; `null` without one.
         "flat_diameter_m" in Length as "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
         /// Which body flows: `half_space`, `sphere`, `both`, or `none`.
-        "yielding_body" as "yields" if FLATTENS: single.if_sphere_yields(single.yielding_body());
+        "yielding_body" as "yielding body" if FLATTENS: single.if_sphere_yields(single.yielding_body());
         /// Effective radius of the contact on unloading.
         "unloading_radius_m" in Length if YIELDS: single.if_yields(single.impact.unloading_radius);
         /// Radius of curvature of the dent; `null` without one.
@@ -230,15 +230,15 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "yield_indentation_m" in Length if REACHES:
             single.at_first_yield(single.contact.yield_indentation_and_force().map(|(indentation, _)| indentation));
         /// Force at first yield.
-        "yield_force_N" in Force as "first yield at {}" if REACHES:
+        "yield_force_N" in Force as "yield force {}" if REACHES:
             single.at_first_yield(single.contact.yield_indentation_and_force().map(|(_, force)| force));
         /// Rate of strain while the sphere goes in; empty for an impact in the dent of another one that leaves it as it was, as the
         /// two factors below.
         "strain_rate_per_s" in StrainRate as "strain rate" [Rate: |row| row.strain_rate_result.map(|rated| rated.strain_rate)];
         /// By how much the strength of the body that yields is raised at that rate.
-        "rate_factor" as "strength raised by {}" [Rate: |row| row.strain_rate_result.map(|rated| rated.factor)];
+        "rate_factor" as "strain-rate factor {}" [Rate: |row| row.strain_rate_result.map(|rated| rated.factor)];
         /// By how much that strength is raised where the sphere turns, as the metal relaxes there.
-        "rate_factor_at_peak" as "at the turn {}" [Rate: |row| row.strain_rate_result.map(|rated| rated.factor_at_peak)];
+        "rate_factor_at_peak" as "at maximum compression {}" [Rate: |row| row.strain_rate_result.map(|rated| rated.factor_at_peak)];
         /// Share of the normal kinetic energy that comes back: the square of the restitution.
         "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())];
         /// Energy spent on the dent over the normal kinetic energy; under gravity it may exceed 1.
@@ -250,7 +250,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Indentation at that time.
         "end_indentation_m" in Length if FORCES: single.if_forces(|under| under.end_indentation);
         /// Indentation at which a captured sphere comes to rest.
-        "static_indentation_m" in Length as "comes to rest at an indentation of {}" if CAPTURED:
+        "static_indentation_m" in Length as "final indentation {}" if CAPTURED:
             single.if_forces(|under| under.static_indentation).flatten();
         /// Length of a step.
         "verlet.step_s" in Time as "verlet step" if VERLET: single.if_fixed_steps(|seen| seen.step);
@@ -259,7 +259,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Time from first touch to the first step without a pushing force; `null` for a captured sphere.
         "verlet.separation_time_s" in Time as "separation {}" if VERLET: single.if_fixed_steps(|seen| seen.separation_time);
         /// Relative error of the energy at the end of the contact; positive for a gain.
-        "verlet.energy_error_at_end" in Error as "energy off by {} at the end" if VERLET:
+        "verlet.energy_error_at_end" in Error as "energy error at the end {}" if VERLET:
             single.if_fixed_steps(|_| ()).map(|()| single.impact.energy.error_at_end);
         /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below. With a body
         /// that is free to move, of their relative motion.
@@ -267,18 +267,18 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Kinetic energy of the normal motion at separation.
         "energy.recovered_J" in Energy as "{%} recovered": single.impact.energy.recovered;
         /// Energy spent on the dent.
-        "energy.plastic_J" in Energy as "{%} into the dent" if YIELDS: single.impact.energy.plastic;
+        "energy.plastic_J" in Energy as "{%} plastic work" if YIELDS: single.impact.energy.plastic;
         /// Kinetic energy of the common motion of sphere and body that is hit: of their centre of mass, which stays.
-        "energy.centre_of_mass_J" in Energy as "{} stays in the common motion" if FREE: single.impact.energy.centre_of_mass;
+        "energy.centre_of_mass_J" in Energy as "centre-of-mass energy {}" if FREE: single.impact.energy.centre_of_mass;
         /// Energy in the plate at separation, or where the computation of a captured sphere ends.
-        "energy.plate_J" in Energy as "{%} into the plate" if PLATE: single.if_plate(|plate| plate.energy);
+        "energy.plate_J" in Energy as "{%} plate loss" if PLATE: single.if_plate(|plate| plate.energy);
         /// Energy taken by damping.
-        "energy.damping_J" in Energy as "{%} into damping" if DAMPING: single.if_forces(|under| under.damping_loss).flatten();
+        "energy.damping_J" in Energy as "{%} damping loss" if DAMPING: single.if_forces(|under| under.damping_loss).flatten();
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
-        "energy.stored_at_separation_J" in Energy as "{%} left in the contact" if VISCOUS:
+        "energy.stored_at_separation_J" in Energy as "{%} elastic energy lost at separation" if VISCOUS:
             single.if_forces(|under| under.stored_at_separation).flatten();
         /// Kinetic and elastic energy where the computation of a captured sphere ends.
-        "energy.remaining_J" in Energy as "{%} left in sphere and contact" if CAPTURED: single.if_forces(|under| under.remaining_energy).flatten();
+        "energy.remaining_J" in Energy as "{%} remaining energy" if CAPTURED: single.if_forces(|under| under.remaining_energy).flatten();
         /// Work of gravity since first touch: the weight times the way of the sphere's centre, which a plate below it lengthens.
         "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: single.if_forces(|under| under.gravity_work).flatten();
         /// Kinetic energy along the half-space and of the spin at first touch.
@@ -286,18 +286,18 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Kinetic energy along the half-space and of the spin at separation.
         "energy.tangential_recovered_J" in Energy as "{%} recovered" if OBLIQUE: single.if_oblique(|friction| friction.recovered);
         /// Energy taken by friction.
-        "energy.friction_J" in Energy as "{%} into friction" if OBLIQUE: single.if_oblique(|friction| friction.loss);
+        "energy.friction_J" in Energy as "{%} friction loss" if OBLIQUE: single.if_oblique(|friction| friction.loss);
         /// Change of the angular momentum about the contact point, relative: it stays but for rounding.
         "energy.angular_momentum_error" in Error if OBLIQUE: single.if_oblique(|friction| friction.momentum_error);
         /// Largest error of the energy balance on the way, as a share of the energy put in: kinetic energy at first touch, and
         /// with gravity the work of the weight down to the peak.
-        "energy.balance_error" in Error as "balance off by {}": single.impact.energy.balance_error;
+        "energy.balance_error" in Error as "energy balance error {}": single.impact.energy.balance_error;
         /// Restitution of the closed form; `null` where the scene has none, as for the two errors below.
         "accuracy.closed_form_restitution" as "closed form": single.impact.accuracy.closed_form_restitution;
         /// Relative difference of the restitution from the closed form.
-        "accuracy.restitution_error" in Error as "restitution off by {}": single.impact.accuracy.restitution_error;
+        "accuracy.restitution_error" in Error as "deviation of restitution {}": single.impact.accuracy.restitution_error;
         /// Relative difference of the contact time from the closed form.
-        "accuracy.contact_time_error" in Error as "contact time by {}": single.impact.accuracy.contact_time_error;
+        "accuracy.contact_time_error" in Error as "deviation of contact time {}": single.impact.accuracy.contact_time_error;
         /// Steps of the integration.
         "work.steps" as "steps": single.impact.stats.steps;
         /// Steps that were repeated with a shorter length.

@@ -64,7 +64,7 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
         "ended_by": series.sequence.end.name();
         /// Why the series ended, as a sentence.
-        "end" as "ended": end_text(series.repeat, series.sequence);
+        "end" as "end of series": end_text(series.repeat, series.sequence);
         /// Restitution of the last impact; with waves, if the half-space has a density.
         "final_restitution" as "last restitution": series.last_value(|hit| hit.measured_restitution());
         /// Rebound speed of the last impact.
@@ -91,7 +91,7 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         "rest_time_s" in Time as "time to rest" if BOUNCES: series.bouncing_settings().map(|_| series.sequence.rest_time());
         /// The part of it after the last separation: an estimate of how long bouncing would still last; `null` if it would
         /// never end, or if the sphere stays in its dent.
-        "remaining_time_s" in Time as "{} of it after the last separation" if BOUNCES:
+        "remaining_time_s" in Time as "{} after the last separation" if BOUNCES:
             series.bouncing_settings().map(|_| series.sequence.remaining_time);
         /// How the remaining time is estimated.
         "remaining_time" if BOUNCES: series.bouncing_settings().map(|_| REMAINING_TIME_TEXT);
@@ -104,7 +104,7 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         "path_m" in Length as "path" if OBLIQUE:
             series.sequence.impacts.last().filter(|hit| hit.tangential_speed().is_some()).map(|hit| hit.position);
         /// Indentation at which a captured sphere comes to rest.
-        "static_indentation_m" in Length as "rests at" if CAPTURED:
+        "static_indentation_m" in Length as "final indentation" if CAPTURED:
             series.bouncing_settings().and_then(|_| series.sequence.impacts.last()?.forces_value(|forces| forces.static_indentation));
         /// Kinetic energy at the first touch.
         "energy.first_kinetic_in_J" in Energy: series.first_value(|hit| hit.kinetic_in);
@@ -121,7 +121,7 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         "energy.friction_J" in Energy if OBLIQUE:
             series.sequence.impacts.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
         /// Largest error of the energy balance of any impact.
-        "energy.balance_error" in Error as "energy balance off by": series.sequence.max_balance_error();
+        "energy.balance_error" in Error as "energy balance error": series.sequence.max_balance_error();
         /// Impacts that the trace has: the first ones of a long series.
         "traced_impacts": series.sequence.traced_impacts.len();
         /// Where the scene, the model or the run is doubtful.
@@ -144,11 +144,11 @@ fn end_text(repeat: &ImpactSeries, sequence: &SeriesResult) -> String {
         _ => String::new(),
     };
     match sequence.end {
-        SeriesEnd::Shots => "all shots are fired".to_owned(),
-        SeriesEnd::Impacts => "as many impacts as were asked for".to_owned(),
+        SeriesEnd::Shots => "all given impacts computed".to_owned(),
+        SeriesEnd::Impacts => "maximum number of impacts".to_owned(),
         SeriesEnd::Until => format!("the next impact would be slower than {until}"),
         SeriesEnd::Captured => "captured: the sphere does not leave the half-space".to_owned(),
-        SeriesEnd::InDent => "the rebound does not lift the sphere out of its dent onto fresh surface".to_owned(),
+        SeriesEnd::InDent => "the rebound is lower than the depth of the dent".to_owned(),
     }
 }
 

@@ -25,7 +25,7 @@ impl VariedKeys {
                 }
                 let table = body.table_name();
                 return Err(refuse(format!(
-                    "the body has no material to draw from: add material = \"steel-s235\", or another, to [{table}]"
+                    "\"uniform\" requires a material in [{table}]. Add material = \"steel-s235\", or another."
                 )));
             };
             let is_left = |at: KeyId<NUMBER>| self.defaults_to_material(input, document, body, &ALL_KEYS[at.index()]);
@@ -42,9 +42,7 @@ impl VariedKeys {
                 let variables = random_material_keys(input, &choice);
                 if variables.is_empty() {
                     let name = &material.name;
-                    return Err(refuse(format!(
-                        "the values that are taken from {name} have no ranges, so there is nothing to draw: leave the key out"
-                    )));
+                    return Err(refuse(format!("no property of {name} is left to vary. Remove this key.")));
                 }
                 self.replace_by_random_keys(body, variables);
             }
@@ -132,7 +130,7 @@ impl Scenario {
             materials.partition(|material| material.is_metal());
         let ([metal, ..], [other, ..]) = (&metals[..], &others[..]) else { return Ok(()) };
         let message = format!(
-            "{} yields and {} has no strength, and their tables have different columns: make a table of each kind, or give yield_strength to [half_space]",
+            "{} can yield and {} cannot, so their tables have different columns. Make two tables, or set half_space.yield_strength.",
             metal.name, other.name
         );
         Err(self.document.refusal("sweep.half_space.material", message))

@@ -42,9 +42,9 @@ impl Kind {
     /// The name of a scenario of this kind in messages.
     pub fn description(self) -> &'static str {
         match self {
-            Self::Impact => "one impact",
+            Self::Impact => "a single impact",
             Self::Sweep | Self::MonteCarlo => "a table",
-            Self::Repeat => "impacts one after the other",
+            Self::Repeat => "a series of impacts",
             Self::Indentation => "an indentation",
             Self::Calibrate => "a calibration",
         }
@@ -64,7 +64,9 @@ impl Scenario {
             (kind, None) => Ok(kind.copied().unwrap_or(Kind::Impact)),
             (first, Some(second)) => {
                 let first = first.map_or("", |kind| kind.name());
-                Err(self.document.refusal(second.name(), format!("[{first}] is given too; write only one of the two")))
+                Err(self
+                    .document
+                    .refusal(second.name(), format!("cannot be combined with [{first}]. Remove one of the two.")))
             }
         }
     }

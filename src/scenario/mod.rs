@@ -49,7 +49,8 @@ pub struct Scenario {
     pub from_results: Option<String>,
 }
 
-const NEEDS_GRAVITY_TEXT: &str = "a sphere that is released at first touch needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give a height above 0";
+const NEEDS_GRAVITY_TEXT: &str =
+    "drop_height = 0 requires [gravity]. Add [gravity] with acceleration = \"9.81 m/s^2\", or give a height above 0.";
 
 /// The key of the file of measurements.
 const DATA_KEY: &str = "calibrate.data";

@@ -67,7 +67,7 @@ pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> CornerWarnings {
         worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect();
     if all > MAX_CORNERS {
         warnings.push(format!(
-            "of the {all} corners of this table {MAX_CORNERS} were looked at, a sample; the model may be left at the others"
+            "Other rows may be outside the range of validity: only {MAX_CORNERS} of the {all} corners of this table were checked."
         ));
     }
     CornerWarnings { warnings, has_dent }

@@ -203,11 +203,11 @@ impl<F: TableEncoder> TableWriter<'_, F> {
         });
         let interrupted = |rows: u64| {
             let then = if is_one_file {
-                "nothing was written, as a table of this size is written at once; the same command starts anew"
+                "No part was written, because a table of this size is written at once. Run the same command again."
             } else {
-                "the same command goes on from the parts that are whole"
+                "Run the same command again to resume."
             };
-            Error::new(ErrorKind::Stopped(130), format!("interrupted after {rows} of {total} rows; {then}"))
+            Error::new(ErrorKind::Stopped(130), format!("interrupted after {rows} of {total} rows. {then}"))
         };
         let with_statistics = job.plan.statistics_columns();
         // rows of finished chunks: their memory is reused

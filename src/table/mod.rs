@@ -33,7 +33,12 @@ pub(crate) fn file_error(problem: &'static str, path: &Path) -> impl Fn(io::Erro
 
 /// The error of a table that cannot be written.
 pub(crate) fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
-    Error::from_io(ErrorKind::Failed, path, "cannot be written", "free space, then give the same command")
+    Error::from_io(
+        ErrorKind::Failed,
+        path,
+        "cannot be written",
+        "free space on the disk, then run the same command again",
+    )
 }
 
 /// The error for a file that prevents writing, with the remedy.

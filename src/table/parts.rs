@@ -89,7 +89,7 @@ pub fn clear_parts(directory: &OutputDirectory) -> Result<(), Error> {
     if !directory.is_forced() && names.iter().any(is_part) {
         return Err(blocked_file_error(
             &folder,
-            "has the parts of a table; name another --out, or remove them with --force",
+            "contains parts of a table. Choose another --out, or use --force to delete them.",
         ));
     }
     if identity.exists() || !names.is_empty() {
@@ -157,12 +157,12 @@ impl TableIdentity {
         let difference = match there {
             Ok(there) => self.difference(&there),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                format!("of a table that no {IDENTITY_FILE} tells")
+                format!("of an unknown table ({IDENTITY_FILE} is missing)")
             }
             Err(error) => return Err(file_error("cannot be read", &path)(error)),
         };
-        let way_out = "go on as they were begun, name another --out, or start over with --force";
-        Err(blocked_file_error(&folder, format!("these parts are {difference}; {way_out}")))
+        let way_out = "Resume with the original command, choose another --out, or use --force to start over.";
+        Err(blocked_file_error(&folder, format!("these parts are {difference}. {way_out}")))
     }
 
     /// Writes it into a folder that has none.
@@ -187,7 +187,7 @@ impl TableIdentity {
     fn difference(&self, there: &str) -> String {
         let object = |text: &str| serde_json::from_str::<serde_json::Map<String, Value>>(text).ok();
         let (Some(ours), Some(theirs)) = (object(&self.to_text()), object(there)) else {
-            return format!("of a table that {IDENTITY_FILE} does not tell");
+            return format!("of an unknown table ({IDENTITY_FILE} cannot be read)");
         };
         let Some((name, own)) = ours.iter().find(|(name, own)| theirs.get(*name) != Some(own)) else {
             return "of another version of the program".to_owned();
@@ -197,9 +197,9 @@ impl TableIdentity {
         let (own_lines, other_lines) = (lines(own), lines(other));
         match (1..).zip(own_lines.iter().zip(&other_lines)).find(|(_, (own, other))| own != other) {
             Some((line, (own, other))) if own_lines.len() > 1 => {
-                format!("of another table: line {line} of its {name} is `{other}` in place of `{own}`")
+                format!("of another table: line {line} of its {name} is `{other}`, now `{own}`")
             }
-            _ => format!("of another table: its {name} is {other} in place of {own}"),
+            _ => format!("of another table: its {name} is {other}, now {own}"),
         }
     }
 }

@@ -22,7 +22,7 @@ impl Shard {
     pub fn parse(text: &str) -> Result<Self, Error> {
         let numbers = text.split_once('/').map(|(index, count)| (index.trim().parse(), count.trim().parse()));
         let problem = match numbers {
-            Some((Ok(_), Ok(0))) => "there are no shards of 0: write i/n with n of 1 or more, such as 0/16".to_owned(),
+            Some((Ok(_), Ok(0))) => "the number of shards must be at least 1. Write i/n, such as 0/16.".to_owned(),
             Some((Ok(_), Ok(count))) if count > MAX_SHARDS => {
                 format!("{count} shards: at most {MAX_SHARDS} are allowed")
             }

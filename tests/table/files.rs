@@ -263,7 +263,7 @@ fn signal_in_second_file_ends_the_command() {
     let output = output_after_signal(child, is_at_work, "-INT");
     let said = text(&output.stderr);
     assert_eq!(output.status.code(), Some(130), "{said}");
-    assert!(said.contains("interrupted after") && said.contains("the same command goes on"), "{said}");
+    assert!(said.contains("interrupted after") && said.contains("Run the same command again"), "{said}");
     assert!(!desk.files("plots/big/parts").iter().any(|name| name.starts_with('.')));
     // the third is not begun
     assert!(!desk.path("plots/third").exists());

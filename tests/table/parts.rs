@@ -222,18 +222,18 @@ fn parts_of_other_table_are_refused() {
     let refused = |rows: u32, more: &[&str], wanted: &str| {
         let message = ends(run(&desk, "out", Some(rows), more), 2);
         assert!(message.contains("out/parts: these parts are") && message.contains(wanted), "{message}");
-        assert!(message.contains("name another --out, or start over with --force"), "{message}");
+        assert!(message.contains("choose another --out, or use --force to start over"), "{message}");
     };
-    refused(500, &["--set", "sphere.radius=0.004"], "its overrides is [] in place of [\"sphere.radius=0.004\"]");
-    refused(400, &[], "its rows_per_part is 500 in place of 400");
-    refused(500, &["--format", "parquet"], "its format is \"csv\" in place of \"parquet\"");
+    refused(500, &["--set", "sphere.radius=0.004"], "its overrides is [], now [\"sphere.radius=0.004\"]");
+    refused(400, &[], "its rows_per_part is 500, now 400");
+    refused(500, &["--format", "parquet"], "its format is \"csv\", now \"parquet\"");
     fs::write(desk.path("s.toml"), grid().replace("345 MPa", "346 MPa")).unwrap();
-    refused(500, &["--shard", "1/2"], "line 10 of its text is `yield_strength = \"345 MPa\"` in place of");
+    refused(500, &["--shard", "1/2"], "line 10 of its text is `yield_strength = \"345 MPa\"`, now");
     fs::write(desk.path("s.toml"), grid()).unwrap();
     let identity = desk.read("out/_table.json");
     let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
     for (from, to, wanted) in [
-        (version.as_str(), "\"version\": \"0.0.1\"", "its version is \"0.0.1\" in place of"),
+        (version.as_str(), "\"version\": \"0.0.1\"", "its version is \"0.0.1\", now"),
         ("\"numbers\": ", "\"numbers\": 7000", "its numbers is 7000"),
     ] {
         fs::write(desk.path("out/_table.json"), identity.replacen(from, to, 1)).unwrap();
@@ -260,7 +260,7 @@ fn a_table_that_was_put_together_is_kept() {
     let mut again = Command::new(PROGRAM);
     again.current_dir(desk.path("")).args(["run", "s.toml", "--out", "out", "--pictures", "none"]);
     again.env(ROWS_PER_PART, "500");
-    assert!(ends(again, 0).contains("12000 of these rows were there"));
+    assert!(ends(again, 0).contains("12000 rows were already computed"));
     assert_eq!((table(), summary(&desk, "out")), (made, of_first));
     // a table that lost its end is made anew
     let whole = fs::read(desk.path("out/table.csv")).unwrap();
@@ -304,7 +304,7 @@ fn other_run_of_same_scenario_removes_table_files() {
 fn shards_that_cannot_be_are_refused() {
     let desk = Sandbox::with(grid());
     for (shard, wanted) in
-        [("3/2", "counted from 0"), ("0/0", "no shards of 0"), ("0/1000000000", "100000"), ("x", "i/n")]
+        [("3/2", "counted from 0"), ("0/0", "must be at least 1"), ("0/1000000000", "100000"), ("x", "i/n")]
     {
         assert!(ends(run(&desk, "out", None, &["--shard", shard]), 2).contains(wanted));
     }

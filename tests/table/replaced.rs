@@ -200,10 +200,10 @@ fn folder_refuses_results_of_other_settings() {
         let said = desk.run_expecting(&other, 2).1;
         let made_by = "made by `plm-impact run s.toml --out o --pictures none --set 'impact.speed=1 m/s'`";
         assert!(
-            said.contains("o: holds results of s.toml with other --set or options") && said.contains(made_by),
+            said.contains("o: contains results of s.toml with other --set or options") && said.contains(made_by),
             "{said}"
         );
-        assert!(said.contains("name another --out") && said.contains("--force"), "{said}");
+        assert!(said.contains("Choose another --out") && said.contains("--force"), "{said}");
         assert_eq!(desk.read("o/summary.json"), before);
     }
     assert!(!desk.run_expecting(&slow, 0).1.contains("replaced"));

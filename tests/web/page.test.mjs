@@ -171,7 +171,7 @@ test("a link is copied, or shown where a page may not copy, until the scenario c
   assert.equal(await page.value("navigator.clipboard === undefined"), true);
   await page.click("#link");
   await page.until('document.getElementById("told").textContent');
-  assert.match(await told(), /does not let the page copy/);
+  assert.match(await told(), /Clipboard access was denied/);
   assert.equal(await page.value('document.getElementById("address").value === location.href'), true);
   await page.type(field("impact.speed"), "1 m/s");
   assert.deepEqual([await told(), await isSeen("#address")], ["", false]);
@@ -258,7 +258,7 @@ test("a bad link at the first load says that it is refused, and of no results", 
   await page.go("about:blank");
   await page.go(`${site.address}#scenario=%25zz`);
   await page.until('!document.getElementById("problem").hidden');
-  assert.equal(await page.value('document.getElementById("state").textContent'), "The scenario is refused.");
+  assert.equal(await page.value('document.getElementById("state").textContent'), "Invalid scenario.");
 });
 
 test("how exact the numbers are is folded, and e against speed can be had as CSV", async () => {

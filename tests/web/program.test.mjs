@@ -155,7 +155,7 @@ test("a run of more than a second gives way to the next, and a program that has 
   assert.ok(workers[0].isOver && workers.length === 2);
   assert.deepEqual(workers[1].sent.slice(1).map(([name]) => name), ["four"]);
   workers[1].onerror({ preventDefault() {}, message: "unreachable" });
-  assert.match(replies[0].error, /^the program has an error: unreachable/);
+  assert.match(replies[0].error, /^internal error: unreachable/);
   run("five");
   assert.deepEqual(workers[2].sent.slice(1).map(([name]) => name), ["five"]);
   assert.ok(workers[2].sent[0] instanceof WebAssembly.Module);

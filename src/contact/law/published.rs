@@ -14,6 +14,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use super::{ContactState, Unloading, UnloadingShape};
+use crate::contact::pair::ALONE_FROM;
 use crate::contact::strength::flow_curve::FlowError;
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::root::bisect;
@@ -59,10 +60,10 @@ impl LoadedState {
         let bounded = reachable.min(most);
         let problem = match () {
             () if approach.is_nan() || approach <= 0.0 => {
-                Some("its residual indentation is the whole indentation or more")
+                Some("its residual indentation would be the whole indentation or more")
             }
-            () if approach > (1.0 + MAX_CLIPPING) * indentation => Some("its residual indentation is negative"),
-            () if reachable > (1.0 + MAX_CLIPPING) * most => Some("it gives back more energy than was spent"),
+            () if approach > (1.0 + MAX_CLIPPING) * indentation => Some("its residual indentation would be negative"),
+            () if reachable > (1.0 + MAX_CLIPPING) * most => Some("the recovered energy would exceed the loading work"),
             () => None,
         };
         (branch(if bounded < (1.0 - NEGLIGIBLE_DENT) * indentation { bounded } else { indentation }), problem)
@@ -157,7 +158,7 @@ impl LawParts {
 pub enum LawError {
     /// Outside the range of its formulas.
     #[error(
-        "the law has no answer for a peak indentation of {} x its yield indentation: {problem}; use another law, or another speed or depth",
+        "the law is not defined for a maximum indentation of {} times its yield indentation: {problem}. Use another law, or another speed or depth.",
         format_four_digits(*.ratio)
     )]
     Range {
@@ -168,7 +169,7 @@ pub enum LawError {
     },
     /// An unloading exponent that would recover too much energy.
     #[error(
-        "with the unloading exponent {}, a peak indentation of {} x the yield indentation would give back {} of the energy more than was spent: give a larger exponent, or another speed or depth",
+        "with the unloading exponent {} and a maximum indentation of {} times the yield indentation, the recovered energy would exceed the loading work by {}. Use a larger exponent, or another speed or depth.",
         format_four_digits(*.asked), format_four_digits(*.ratio), format_percent(*.gain)
     )]
     Exponent {
@@ -192,7 +193,7 @@ pub enum LawError {
     Flow(#[from] FlowError),
     /// A flow curve although both bodies yield.
     #[error(
-        "the strengths of sphere and half-space are {} to 1, so that both flow, and a flow curve is known for a body that flows alone: give both a yield_strength at the strain of the impact, without flow_stress, or strengths at least 1.25 to 1",
+        "both bodies yield (strength ratio {}, below {ALONE_FROM}), and a flow curve can be used only if one body yields. Give both bodies a yield_strength at the strain of the impact, without flow_stress, or increase the ratio to at least {ALONE_FROM}.",
         format_four_digits(*.ratio)
     )]
     BothFlow {
@@ -200,7 +201,7 @@ pub enum LawError {
         ratio: f64,
     },
     #[error(
-        "the law \"{name}\" lacks its loading or its unloading, so that an impact has no answer; combine it with a law that has that half"
+        "the law \"{name}\" defines only loading or only unloading. Use [law.combined] with a law that has the other half."
     )]
     Incomplete { name: &'static str },
 }

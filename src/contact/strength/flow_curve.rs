@@ -47,11 +47,13 @@ pub enum FlowCurve {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum FlowError {
     /// There are fewer than two points.
-    #[error("has {0} points, and a curve needs at least 2; for a straight line write linear = {{ slope = \"4 GPa\" }}")]
+    #[error(
+        "has {0} points, and a curve requires at least 2. For a straight line write linear = {{ slope = \"4 GPa\" }}"
+    )]
     TooFew(usize),
     /// The strain of a point is negative, not finite, or not above the strain of the point before.
     #[error(
-        "point {place}: plastic strain {} is not allowed: it must be finite, at least 0 and above that of the point before",
+        "point {place}: plastic strain {} is not allowed. Plastic strains must be finite, at least 0 and increasing.",
         format_number(*.strain)
     )]
     Strain {
@@ -61,7 +63,7 @@ pub enum FlowError {
     },
     /// The stress falls from one point to the next, or is not a positive finite number.
     #[error(
-        "point {place}: the stress falls from {} to {}: a metal that softens is outside of the law; end the curve at its largest stress",
+        "point {place}: the stress falls from {} to {}, and the law does not model softening. End the curve at its largest stress.",
         format_si_and_short(*.before, Dimension::Pressure),
         format_si_and_short(*.stress, Dimension::Pressure)
     )]
@@ -75,7 +77,7 @@ pub enum FlowError {
     },
     /// The curve does not start from the yield strength.
     #[error(
-        "starts with {} at plastic strain {}, {} the yield strength of {}: the yield strength is the stress at plastic strain 0",
+        "the first point ({} at plastic strain {}) is {} the yield strength ({}), which is the stress at plastic strain 0. Correct one of the two.",
         format_si_and_short(*.stress, Dimension::Pressure),
         format_number(*.strain),
         if stress < yield_strength { "below" } else { "above" },
@@ -90,7 +92,7 @@ pub enum FlowError {
     },
     /// The curve is steeper than the elastic line.
     #[error(
-        "{} the flow stress rises by {} per strain, more than Young's modulus of the body, {}: no metal hardens so; give {}",
+        "{} the flow stress rises by {} per strain, more than Young's modulus ({}). Give {}.",
         if to.is_finite() { format!("between plastic strain {} and {}", format_number(*.from), format_number(*.to)) } else { "at every plastic strain".to_owned() },
         format_si_and_short(*.slope, Dimension::Pressure),
         format_si_and_short(*.modulus, Dimension::Pressure),

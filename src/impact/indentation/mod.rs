@@ -74,7 +74,7 @@ pub enum IndentationError {
         reason: LawError,
     },
     /// A step that ends at its start.
-    #[error("step {step} ends where it begins; take it out, or give it another target")]
+    #[error("step {step} ends where it begins. Remove this step, or give it another target.")]
     NoMove { step: usize },
     /// A step whose contact is wider than any sphere.
     #[error(
@@ -309,13 +309,14 @@ impl StaticContact {
         let left_out = ignored_strength(&self.pair, &self.law, self.strengths);
         let of_step = |step: &StepResult| {
             let IndentationMemory { contact_radius, mean_pressure, .. } = step.memory;
-            let yields = yielding_warning(mean_pressure, left_out, "less comes back than computed");
+            let yields =
+                yielding_warning(mean_pressure, left_out, "The computed rebound of the indentation is too large");
             dent_warning(&self.law, contact_radius / radius).into_iter().chain(yields).chain(flow_warnings(&self.pair))
         };
         let known: Vec<_> = before.into_iter().flat_map(of_step).map(|warning| warning.kind).collect();
         let gain = (step.plastic_work < 0.0).then(|| {
             let text = format!(
-                "plastic work {:.3e} J is below 0: just behind a knot of the loading curve the plastic work of the law falls where it should rise; take it for 0",
+                "The plastic work is too low: {:.3e} J is below 0. Use 0. Just beyond a segment boundary of the loading curve, the plastic work of the law falls slightly.",
                 step.plastic_work
             );
             Warning::new(WarningKind::EnergyGain, 0.0, text)

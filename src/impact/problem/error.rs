@@ -26,15 +26,15 @@ pub enum ImpactError {
     Law(#[from] LawError),
     /// An indentation deeper or wider than the sphere.
     #[error(
-        "the sphere would go in by {} with a contact radius of {}, and its own radius is {}: no contact law holds there; check the units{}, or lower the speed",
+        "the indentation would be {} and the contact radius {}, and the radius of the sphere is {}. No contact law applies there. Check the units{}, or reduce the speed.",
         format_input(*.indentation, Dimension::Length), format_input(*.contact_radius, Dimension::Length), format_input(*.radius, Dimension::Length),
         match (.wrong_modulus, .yield_strength) {
             (Some((table, modulus)), _) => {
                 let modulus = format_input(*modulus, Dimension::Pressure);
-                format!(", such as that of {table}.youngs_modulus = {modulus}")
+                format!(" ({table}.youngs_modulus = {modulus}?)")
             }
             (None, Some(strength)) => {
-                format!(", such as that of half_space.yield_strength = {}", format_input(*strength, Dimension::Pressure))
+                format!(" (half_space.yield_strength = {}?)", format_input(*strength, Dimension::Pressure))
             }
             (None, None) => String::new(),
         }
@@ -53,10 +53,10 @@ pub enum ImpactError {
     },
     /// A moment of inertia that is too small for the steps of friction.
     #[error(
-        "with so small a moment of inertia the contact point swings too fast for the steps of friction: {}",
+        "the moment of inertia is too small for the steps of friction: {}",
         match least {
-            Some(least) => format!("from {least:.3e} kg m^2 on it is computed here, and a solid sphere has {solid:.3e} kg m^2"),
-            None => "here none is large enough, as the contact lasts so long: leave out angle and spin, or take a thicker plate".to_owned(),
+            Some(least) => format!("at least {least:.3e} kg m^2 is needed, and a solid sphere has {solid:.3e} kg m^2."),
+            None => "no value is large enough, because the contact lasts too long. Remove angle and spin, or use a thicker plate.".to_owned(),
         }
     )]
     SmallInertia {
@@ -66,20 +66,18 @@ pub enum ImpactError {
         solid: f64,
     },
     /// The fall of two bodies is not modelled.
-    #[error(
-        "gravity and a body that is free to move are not computed together: leave out [gravity], or half_space.mass"
-    )]
+    #[error("gravity and a free target cannot be combined. Remove [gravity] or half_space.mass.")]
     FreeUnderGravity,
     /// A body whose moment of inertia is not known.
     #[error(
-        "at an angle a body that is free to move has to be a ball: half_space.mass = \"ball\", or leave out impact.angle and sphere.spin"
+        "an oblique impact on a free target requires a ball. Write half_space.mass = \"ball\", or remove impact.angle and sphere.spin."
     )]
     NoBall,
     /// An impact on this plate is not possible.
     #[error(transparent)]
     Plate(#[from] PlateError),
     /// No closed form for this scene.
-    #[error("method \"closed_form\" has no answer under damping and on a plate: use \"auto\" or \"rk8\"")]
+    #[error("method \"closed_form\" is not available with damping or on a plate. Use \"auto\" or \"rk8\".")]
     NoClosedForm,
 }
 

@@ -59,28 +59,26 @@ const MAX_ZENER_NUMBER: f64 = 20.0;
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum PlateError {
     /// The density of the plate is not given.
-    #[error("a plate needs a density, by which it resists the impact: give half_space.density")]
+    #[error("a plate requires half_space.density. Add the density of the plate.")]
     NoDensity,
     /// A wall that is not flat, or that moves as a whole.
     #[error(
-        "a plate is flat, and gives way by bending: leave out half_space.thickness, or half_space.radius and half_space.mass"
+        "a plate cannot have half_space.radius or half_space.mass, because a plate is flat and gives way by bending. Remove half_space.thickness, or the other keys."
     )]
     Curved,
     /// A plate together with damping, where the drag of one would act on the other.
-    #[error(
-        "a plate and damping of the contact are not computed together: leave out half_space.thickness, or [damping]"
-    )]
+    #[error("a plate cannot be combined with [damping]. Remove half_space.thickness or [damping].")]
     Damped,
     /// A straight unloading branch that the plate damps beyond critical.
     #[error(
-        "the plate is so thin that the straight unloading of this law never ends on it: half_space.thickness must be above {least:.3e} m"
+        "the plate is too thin for this law: the sphere would not separate. half_space.thickness must be above {least:.3e} m."
     )]
     NeverEnds {
         /// Least thickness \[m\].
         least: f64,
     },
     #[error(
-        "the plate takes all of the impact: Zener's number is {zener_number:.4}, above {MAX_ZENER_NUMBER}, where an elastic contact has a restitution of 0.679/{zener_number:.4}^5 = {restitution:.1e}; half_space.thickness must be above {least:.3e} m"
+        "e is practically 0: Zener's number {zener_number:.4} exceeds {MAX_ZENER_NUMBER}, and an elastic contact has e = {restitution:.1e}. half_space.thickness must be above {least:.3e} m."
     )]
     TooThin {
         /// λ.

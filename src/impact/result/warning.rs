@@ -113,9 +113,9 @@ impl Warning {
         }
     }
 
-    /// The warning of a key or a table without effect; `reason` states the cause and the remedy.
+    /// The warning of a key or a table without effect; `reason` states the cause, and the remedy if there is another one than to remove the key.
     pub(crate) fn unused_key(key: &str, reason: &str) -> Self {
-        Self::new(WarningKind::UnusedKey, 0.0, format!("{key} is not used: {reason}"))
+        Self::new(WarningKind::UnusedKey, 0.0, format!("{key} has no effect: {reason}."))
     }
 
     pub(in crate::impact) fn new_if(

@@ -32,7 +32,12 @@ pub(in crate::impact) fn material_warnings(
     let is_damped = contact.forces().damping.is_some();
     let limit = if (row.restitution - 1.0).abs() < 1e-6 { "e = 1 is the elastic limit" } else { "e is an upper limit" };
     let brittle = |body: &str, entry: &MaterialEntry| {
-        let text = format!("{body}.material = {} {}: {limit}, not a prediction", entry.name, failure_mode(entry));
+        let text = format!(
+            "{limit}, not a prediction: {body}.material = {} {}, and {} is not modelled.",
+            entry.name,
+            failure_mode(entry),
+            failure_name(entry)
+        );
         Warning::new(WarningKind::NotAMetal, 0.0, text)
     };
     let half_space = named.half_space.filter(|entry| is_elastic && !is_damped && !entry.is_metal());
@@ -49,12 +54,12 @@ pub(in crate::impact) fn material_warnings(
             named.is_by_hardness[place] && contact.law.hardening().is_none() && row.has_dent() && share > 0.0;
         let entry = entry.filter(|entry| is_too_high && hardens(entry))?;
         let way_out = if is_of_both {
-            "yield_strength at the strain of the impact, as both bodies flow"
+            "yield_strength at the strain of the impact, because both bodies yield"
         } else {
-            "flow_stress.power.exponent under the law plm"
+            "flow_stress.power.exponent (law plm)"
         };
         let text = format!(
-            "{body}.material = {} hardens, and its hardness is used without an exponent N: e is {RESTITUTION_BIAS_TEXT}; give {body}.{way_out}",
+            "e is {RESTITUTION_BIAS_TEXT}. {body}.material = {} strain-hardens, but its hardness is used without a hardening exponent N. Set {body}.{way_out}.",
             entry.name
         );
         Some(Warning::new(WarningKind::NoExponent, 0.0, text))
@@ -62,7 +67,7 @@ pub(in crate::impact) fn material_warnings(
     // near half of its melting temperature the flow stress rises two to three times with the strain rate
     let creeping = |body: &str, entry: &MaterialEntry| {
         let text = format!(
-            "e is too low, and not a prediction: {body}.material = {} creeps at room temperature, and its flow stress in an impact is two to three times that of its hardness; calibrate the strength with a rebound",
+            "e is too low, and not a prediction: {body}.material = {} creeps at room temperature. Its flow stress in an impact is two to three times the flow stress from its hardness. Calibrate the strength with a measured rebound.",
             entry.name
         );
         Warning::new(WarningKind::NotAMetal, 0.0, text)
@@ -84,11 +89,16 @@ pub(crate) fn elastic_material_warning(half_space: &HalfSpace, entry: &MaterialE
     let is_elastic = half_space.yield_strength.is_none() && !entry.is_metal();
     Warning::new_if(is_elastic, WarningKind::NotAMetal, 0.0, || {
         format!(
-            "half_space.material = {} {}, and is computed as elastic: no dent is left; half_space.hardness gives it one",
+            "No dent is computed: half_space.material = {} {}, and has no strength in the library. Set half_space.hardness to model a dent.",
             entry.name,
             failure_mode(entry)
         )
     })
+}
+
+/// The failure of a material that is not a metal, as a noun.
+fn failure_name(entry: &MaterialEntry) -> &'static str {
+    if entry.class == MaterialClass::Polymer { "creep" } else { "cracking" }
 }
 
 /// How a material that is not a metal fails.
@@ -110,20 +120,23 @@ pub(crate) fn ignored_strength(
     if flow.is_sphere { Some((["half-space", "sphere"], half_space?)) } else { of_sphere() }
 }
 
+/// Mean pressure over yield strength, from which on a body yields.
+const YIELD_PRESSURE_RATIO: f64 = 1.1;
+
 /// The warning for a body of this strength under a mean pressure, if the law ignores the strength. `so` states the consequence for
 /// the results.
 pub(crate) fn yielding_warning(pressure: f64, left_out: Option<([&str; 2], f64)>, so: &str) -> Option<Warning> {
-    let ([body, other], strength) = left_out.filter(|(_, strength)| pressure > 1.1 * strength)?;
+    let ([body, other], strength) = left_out.filter(|(_, strength)| pressure > YIELD_PRESSURE_RATIO * strength)?;
     let ratio = pressure / strength;
     let [peak, own] = [pressure, strength].map(|pressure| format_result(pressure, Dimension::Pressure));
     let text = if ratio > FULL_PLASTICITY_RATIO {
         format!(
-            "the {body} yields, which is left out here: {so}; the law plm lets it yield beside a {other} that does not harden (peak mean pressure {peak}, {} times the {body}'s yield strength {own})",
+            "{so}: the {body} would yield (mean pressure {peak} = {} times its yield strength {own}), but stays elastic here. Use the law plm without a flow curve of the {other}.",
             format_four_digits(ratio)
         )
     } else {
         format!(
-            "peak mean pressure {peak} is above 1.1 x the {body}'s yield strength {own}: the {body} would yield too, and less would come back"
+            "{so}: the {body} would yield too, but stays elastic here. The mean pressure {peak} exceeds {YIELD_PRESSURE_RATIO} times its yield strength {own}."
         )
     };
     Some(Warning::new(WarningKind::SphereYields, ratio, text))
@@ -139,11 +152,11 @@ pub(crate) fn flow_warnings(pair: &Pair) -> impl Iterator<Item = Warning> + use<
     let ratio = point.map_or(f64::NAN, |point| point.strength / pair.effective_modulus);
     let weak = Warning::new_if(ratio < MIN_FITTED_YIELD_STRAIN, WarningKind::WeakSphere, -ratio, || {
         format!(
-            "yield strength / effective modulus = {ratio:.2e} of the sphere that flows is below {MIN_FITTED_YIELD_STRAIN:.0e}: against finite elements the force is then up to 7 % and e up to 3 % too low"
+            "The force is up to 7 % and e up to 3 % too low against finite elements: yield strength / effective modulus = {ratio:.2e} of the yielding sphere is below {MIN_FITTED_YIELD_STRAIN:.0e}."
         )
     });
     let rigid = Warning::new_if(point.is_some() && is_rigid, WarningKind::RigidFlows, 0.0, || {
-        "the sphere is rigid and flows, as it has a yield strength: a rigid body keeps its shape; give sphere.youngs_modulus, or leave out what gives the sphere a strength".to_owned()
+        "The result is contradictory: the sphere is rigid, but yields by its yield strength. Set sphere.youngs_modulus, or remove the strength of the sphere.".to_owned()
     });
     weak.into_iter().chain(rigid)
 }
@@ -156,7 +169,9 @@ pub(crate) fn sphere_warnings(
     density: Option<f64>,
 ) -> impl Iterator<Item = Warning> + use<> {
     let large = Warning::new_if(radius > LARGE_RADIUS, WarningKind::LargeSphere, radius, || {
-        format!("sphere.radius = {radius} m is above {LARGE_RADIUS} m: check the unit, such as \"5 mm\"")
+        format!(
+            "The result may be meaningless: sphere.radius = {radius} m is above {LARGE_RADIUS} m. Check the unit (did you mean \"5 mm\"?)."
+        )
     });
     large.into_iter().chain(body_warnings("sphere", material, strength, density))
 }
@@ -178,18 +193,18 @@ fn body_warnings(
         let [given, modulus_text] = [strength, modulus].map(|pressure| format_input(pressure, Dimension::Pressure));
         let text = if is_modulus_wrong(modulus, Some(strength)) {
             format!(
-                "{table}.youngs_modulus = {modulus_text} is far too small for a yield strength of {given}: check the unit of the modulus, such as \"210 GPa\""
+                "The result may be meaningless: {table}.youngs_modulus = {modulus_text} is far too small for a yield strength of {given}. Check the unit of the modulus (such as \"210 GPa\")."
             )
         } else {
             format!(
-                "{table}.yield_strength = {given} is more than a tenth of Young's modulus, {modulus_text}, which hardly any solid reaches: check the units"
+                "The result may be meaningless: {table}.yield_strength = {given} exceeds a tenth of Young's modulus, {modulus_text}. Check the units."
             )
         };
         Warning::new(WarningKind::HighStrength, strength / modulus, text)
     });
     let light = density.filter(|density| *density < LOW_DENSITY).map(|density| {
         let text = format!(
-            "{table}.density = {density} kg/m^3 is below {LOW_DENSITY} kg/m^3, lighter than cork: check the unit, such as \"7850 kg/m^3\" or \"7.85 g/cm^3\""
+            "The result may be meaningless: {table}.density = {density} kg/m^3 is below {LOW_DENSITY} kg/m^3. Check the unit (such as \"7850 kg/m^3\" or \"7.85 g/cm^3\")."
         );
         Warning::new(WarningKind::LightBody, -density, text)
     });

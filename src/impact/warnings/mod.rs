@@ -31,7 +31,7 @@ pub(crate) fn peak_warnings(ground: Surface, peak: &ContactState) -> impl Iterat
         let in_yields = |x: f64| format_four_digits(law.over_yield_indentation(x));
         let end = if to.is_finite() { format!("to {}", in_yields(to)) } else { "and more".to_owned() };
         let text = format!(
-            "peak indentation = {} x the yield indentation of the law is outside {} {end}, the range that the law is stated for: take the result for an extrapolation",
+            "The result is an extrapolation. The maximum indentation is {} yield indentations of the law; the authors state the law for {} {end} yield indentations.",
             in_yields(x), in_yields(from)
         );
         Warning::new(WarningKind::OutsideStated, (x / to).max(from / x), text)
@@ -39,7 +39,7 @@ pub(crate) fn peak_warnings(ground: Surface, peak: &ContactState) -> impl Iterat
     let hardening = law.hardening();
     let curve = hardening.and_then(|hardening| hardening.beyond_flow_curve(x)).map(|(strain, last)| {
         let text = format!(
-            "the flow curve ends at a plastic strain of {last}, and this dent strains the metal up to {strain:.4}: beyond its last point the curve is taken to stay level; give points at larger strains, or let the dent be shallower"
+            "e may be too low. The flow curve ends at a plastic strain of {last}, but the strain of the dent reaches {strain:.4}; beyond its last point the curve is constant. Add points at larger strains."
         );
         Warning::new(WarningKind::BeyondFlowCurve, strain, text)
     });
@@ -51,10 +51,10 @@ pub(crate) fn exponent_warning(ground: Surface, unloading: &Unloading) -> Option
     let ExponentClamp { requested: asked, used, gain } =
         ground.loading_law_at(unloading.peak.indentation)?.exponent_clamp(unloading)?;
     let text = format!(
-        "an unloading exponent of {} would give back {} of the energy more than was spent: {} is used in its place, with which e is 1 but for gravity and drag; give a larger exponent, or let the peak be further above first yield",
-        format_four_digits(asked),
+        "e is 1 apart from gravity and drag, because the unloading exponent was raised from {asked} to {}. With {asked} the recovered energy would exceed the loading work by {}. Use a larger exponent.",
+        format_four_digits(used),
         format_percent(gain),
-        format_four_digits(used)
+        asked = format_four_digits(asked)
     );
     Some(Warning::new(WarningKind::RaisedExponent, gain, text))
 }
@@ -110,7 +110,9 @@ fn wave_warning(impact: &Impact) -> Option<Warning> {
     let (loss, recovered) = (impact.wave_loss_fraction?, impact.recovered_fraction());
     Warning::new_if(loss > 0.2 * recovered, WarningKind::StrongWaves, loss / recovered, || {
         format!(
-            "elastic waves take {loss:.3} of the kinetic energy, while the law gives {recovered:.3} of it back: too much for a first-order estimate; take restitution_with_waves as a rough value (0 where nothing is left)"
+            "restitution_with_waves is only a rough value. The wave loss ({} of the kinetic energy) is not small compared with the recovered energy ({}).",
+            format_percent(loss),
+            format_percent(recovered)
         )
     })
 }
@@ -133,7 +135,7 @@ fn strain_rate_warnings(contact: &Contact) -> impl Iterator<Item = Warning> + us
         strain_rate,
         || {
             format!(
-                "strain rate {} 1/s is outside of {low:e} to {high:e} 1/s, for which such constants are known: take the factor of the strength for an extrapolation",
+                "The strain-rate factor is an extrapolation. The strain rate is {} 1/s; constants are known for {low:e} to {high:e} 1/s.",
                 format_four_digits(strain_rate)
             )
         },
@@ -142,7 +144,7 @@ fn strain_rate_warnings(contact: &Contact) -> impl Iterator<Item = Warning> + us
     let is_fast = (DYNAMIC_TEST_RATES[0]..=DYNAMIC_TEST_RATES[1]).contains(&tested_at);
     let fast = Warning::new_if(is_fast, WarningKind::DynamicTest, tested_at, || {
         format!(
-            "tested_at = {} 1/s is nearly as fast as the impact, and only the turn of the sphere is slower than that test: e comes out below the one without a rate; give the strength of a slow test",
+            "e is lower than without strain-rate dependence. tested_at = {} 1/s is close to the strain rate of the impact, and the strain rate falls below tested_at near maximum compression. Give the strength of a quasi-static test.",
             format_four_digits(tested_at)
         )
     });
@@ -152,7 +154,7 @@ fn strain_rate_warnings(contact: &Contact) -> impl Iterator<Item = Warning> + us
     };
     let lower_yield = slow.map(|rate| {
         let text = format!(
-            "cowper_symonds.rate = {} 1/s: constants below {MIN_FLOW_STRESS_RATE} 1/s are of the lower yield point, and a dent strains the metal by 1 to 4 %: e comes out too high",
+            "e is too high. cowper_symonds.rate = {} 1/s describes the lower yield point, not the flow stress at the plastic strains of a dent, 1 to 4 %. Use constants for these strains (rate of {MIN_FLOW_STRESS_RATE} 1/s or more).",
             format_four_digits(rate)
         );
         Warning::new(WarningKind::LowerYield, -rate, text)
@@ -169,7 +171,7 @@ fn damping_warning(contact: &Contact, impact: &Impact) -> Option<Warning> {
     let size = chi * impact.speed;
     Warning::new_if(size > STIFF_DAMPING, WarningKind::StiffDamping, size, || {
         format!(
-            "damping.hunt_crossley x speed = {}: above {STIFF_DAMPING} the sphere keeps only 1/hunt_crossley = {} of its speed; check the unit, s/m",
+            "The sphere hardly rebounds. damping.hunt_crossley x speed = {}, so the rebound speed is at most 1/hunt_crossley = {}. Check the unit (s/m).",
             format_four_digits(size),
             format_input(1.0 / chi, Dimension::Speed)
         )
@@ -187,7 +189,7 @@ pub(super) fn oblique_warnings(
     let is_ploughing = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
     let ploughing = Warning::new_if(is_ploughing, WarningKind::Ploughing, ratio, || {
         format!(
-            "contact radius / sphere radius = {ratio:.3} at {:.0} deg from the normal: the sphere ploughs, a force of about {:.0} % of the contact force that friction leaves out; take tangential speed and spin as estimates",
+            "Tangential speed and spin are estimates. At contact radius / sphere radius = {ratio:.3} and {:.0} deg from the normal the sphere ploughs; the ploughing force (about {:.0} % of the contact force) is not modelled.",
             angle.to_degrees(),
             100.0 * 4.0 / (3.0 * PI) * ratio
         )
@@ -197,7 +199,7 @@ pub(super) fn oblique_warnings(
     let is_coupled = mismatch.abs() > MAX_DUNDURS_BETA && slips_little;
     let coupled = Warning::new_if(is_coupled, WarningKind::DundursCoupling, mismatch.abs(), || {
         format!(
-            "the materials differ so much (Dundurs' beta = {mismatch:.2}) that pressure and friction act on each other, which is neglected: where the contact slips as little as here, psi_2 may be off by 0.1"
+            "psi_2 has an error of up to 0.1. The bodies are dissimilar (Dundurs' beta = {mismatch:.2}), and the coupling of pressure and friction is neglected."
         )
     });
     [ploughing, coupled].into_iter().flatten()

@@ -72,7 +72,7 @@ pub(crate) fn dent_warning(law: &Law, ratio: f64) -> Option<Warning> {
     let limit = law.validity.max_radius_ratio;
     Warning::new_if(ratio > limit, WarningKind::DeepDent, ratio, || {
         format!(
-            "contact radius / sphere radius = {ratio:.3} is beyond {limit}, up to which this law holds: take forces and residual indentation as estimates, or let the indentation be shallower"
+            "Force, dent and e are estimates. Contact radius / sphere radius (a/R) = {ratio:.3} exceeds {limit}, the limit of validity of this law. Reduce the indentation."
         )
     })
 }
@@ -82,10 +82,13 @@ fn unequal_balls_warning(pair: &Pair, ratio: f64) -> Option<Warning> {
     let is_doubtful = pair.has_unequal_balls() && ratio > 0.1;
     Warning::new_if(is_doubtful, WarningKind::UnequalBalls, ratio, || {
         format!(
-            "both balls flow and are not equal, and the contact radius is {ratio:.3} of the smaller one's: there the sum of their parts misses equal balls by 0.5 to 1 % of e, so that e has a step of this size where an axis passes through equal balls"
+            "e has an additional error of 0.5 to 1 %. Both balls yield and are not equal (contact radius = {ratio:.3} times the smaller radius); their indentations are superposed. A sweep shows a step of this size at equal balls."
         )
     })
 }
+
+/// Wave transits of the sphere below which a contact is not quasi-static.
+const MIN_TRANSITS: f64 = 5.0;
 
 /// The warning for a contact so short that the sphere is not quasi-static.
 fn short_contact_warning(contact: &Contact, duration: f64) -> Option<Warning> {
@@ -96,10 +99,10 @@ fn short_contact_warning(contact: &Contact, duration: f64) -> Option<Warning> {
         transit.max(2.0 * radius * (density / target.material.youngs_modulus).sqrt())
     });
     let transits = duration / transit;
-    let is_short = transits < 5.0 && !contact.has_attached_mass();
+    let is_short = transits < MIN_TRANSITS && !contact.has_attached_mass();
     Warning::new_if(is_short, WarningKind::ShortContact, -transits, || {
         format!(
-            "contact lasts {transits:.2} wave transits of the sphere (2 R / c); below 5 it is no longer quasi-static and part of the energy goes into waves"
+            "e is too high. The contact lasts only {transits:.2} wave transits of the sphere (2 R / c); below {MIN_TRANSITS} the contact is not quasi-static, and waves absorb energy."
         )
     })
 }
@@ -109,64 +112,68 @@ fn short_contact_warning(contact: &Contact, duration: f64) -> Option<Warning> {
 fn adhesion_warning(contact: &Contact, speed: f64) -> Option<Warning> {
     /// Γ \[J/m²\].
     const WORK_OF_ADHESION: f64 = 0.2;
+    /// Multiple of the sticking speed from which on the error of e is below 1 %.
+    const ADHESION_RANGE: f64 = 7.0;
     let (radius, modulus) = (contact.pair().radius, contact.pair().effective_modulus);
     let depth = pow(WORK_OF_ADHESION, 5.0 / 6.0) * pow(radius, 2.0 / 3.0) / pow(modulus, 1.0 / 3.0);
     let sticking = (14.18 / contact.reduced_mass()).sqrt() * depth;
-    let is_slow = speed > 0.0 && speed < 7.0 * sticking;
+    let is_slow = speed > 0.0 && speed < ADHESION_RANGE * sticking;
     Warning::new_if(is_slow, WarningKind::Adhesion, sticking / speed, || {
         format!(
-            "adhesion is not computed: with a surface energy of 0.2 J/m^2 the sphere would stick below {}, and up to seven times that speed e is more than 1 % too high",
-            format_result(sticking, Dimension::Speed)
+            "e is too high, because adhesion is not modelled. For a surface energy of {WORK_OF_ADHESION} J/m^2 the sphere sticks below {}; above {} the error of e is less than 1 %.",
+            format_result(sticking, Dimension::Speed),
+            format_result(ADHESION_RANGE * sticking, Dimension::Speed)
         )
     })
 }
+
+/// Plate thicknesses that a wave travels during the contact, below which a plate acts as a half-space.
+const MIN_WAVE_TRANSITS: f64 = 2.0;
+/// Contact radius over plate thickness, from which on a plate is not as stiff under the sphere as a half-space.
+const MAX_CONTACT_OVER_THICKNESS: f64 = 0.15;
+/// Deflection over plate thickness, from which on a plate also stretches.
+const MAX_DEFLECTION_OVER_THICKNESS: f64 = 0.3;
 
 /// The warnings for a plate, hit with this contact radius \[m\].
 fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) -> impl Iterator<Item = Warning> + use<> {
     let PlateResult { zener_number, wave_transits, displacement, wave_reach, .. } = *on_plate;
     let thickness = plate.thickness;
     let (least, beyond) = match plate.theory {
-        PlateTheory::Thick => (5.0, "by 8 % at 5 thicknesses and by a third at 3"),
-        PlateTheory::Zener if wave_transits < 5.0 => {
-            (10.0, "by half or more; half_space.plate = \"thick\" comes nearer")
-        }
-        PlateTheory::Zener => {
-            (10.0, "by a fifth at 10 thicknesses and by half at 5; half_space.plate = \"thick\" is good to 8 % of it")
-        }
+        PlateTheory::Thick => (5.0, "by 8 % at 5 thicknesses and by a third at 3. Take e as an upper limit"),
+        PlateTheory::Zener if wave_transits < 5.0 => (10.0, "by half or more. Use half_space.plate = \"thick\""),
+        PlateTheory::Zener => (
+            10.0,
+            "by a fifth at 10 thicknesses and by half at 5. Use half_space.plate = \"thick\", whose loss is within 8 %",
+        ),
     };
-    let is_thick = wave_transits < 2.0;
+    let is_thick = wave_transits < MIN_WAVE_TRANSITS;
     let thick = Warning::new_if(is_thick, WarningKind::ThickPlate, -wave_transits, || {
         format!(
-            "during the contact a wave travels only {wave_transits:.2} thicknesses of the plate, and below 2 the echo of its rear face comes too late: it acts as a half-space, so leave half_space.thickness out"
+            "The plate model does not apply. During the contact a wave travels only {wave_transits:.2} plate thicknesses; below {MIN_WAVE_TRANSITS} the plate acts as a half-space. Remove half_space.thickness."
         )
     });
-    let between = Warning::new_if(
-        !is_thick && wave_transits < least,
-        WarningKind::ModeratelyThickPlate,
-        -wave_transits,
-        || {
-            format!(
-                "during the contact a wave travels {wave_transits:.1} thicknesses of the plate, and a thin plate takes at least {least}: the plate takes more energy than computed, {beyond}"
-            )
-        },
-    );
-    let ratio = contact_radius / thickness;
-    let wide = Warning::new_if(ratio > 0.15, WarningKind::WideContactOnPlate, ratio, || {
+    let between = Warning::new_if(!is_thick && wave_transits < least, WarningKind::ModeratelyThickPlate, -wave_transits, || {
         format!(
-            "contact radius / plate thickness = {ratio:.3} is above 0.15: there the plate is stiffer under the sphere than a half-space by more than a tenth, and yields through; take the result for an estimate"
+            "e is too high. During the contact a wave travels only {wave_transits:.1} plate thicknesses, and this plate model requires {least}; the plate absorbs more energy than computed, {beyond}."
+        )
+    });
+    let ratio = contact_radius / thickness;
+    let wide = Warning::new_if(ratio > MAX_CONTACT_OVER_THICKNESS, WarningKind::WideContactOnPlate, ratio, || {
+        format!(
+            "The result is an estimate. Contact radius / plate thickness = {ratio:.3} exceeds {MAX_CONTACT_OVER_THICKNESS}: the local stiffness of the plate differs by more than 10 % from a half-space, and the plate may yield through its thickness."
         )
     });
     let near = plate.edge_distance.filter(|distance| *distance < wave_reach).map(|distance| {
         let [edge, far] = [distance, wave_reach].map(|length| format_input(length, Dimension::Length));
         let text = format!(
-            "half_space.edge_distance = {edge} is less than {far}, from where bending waves come back during the contact: the plate may take a quarter more or less than computed"
+            "The plate loss is uncertain by +-25 %. Bending waves return from the edge during the contact (half_space.edge_distance = {edge}, required {far})."
         );
         Warning::new(WarningKind::NearEdge, wave_reach / distance, text)
     });
     let ratio = displacement / thickness;
-    let deep = Warning::new_if(ratio > 0.3, WarningKind::DeepPlate, ratio, || {
+    let deep = Warning::new_if(ratio > MAX_DEFLECTION_OVER_THICKNESS, WarningKind::DeepPlate, ratio, || {
         format!(
-            "the plate moves by {ratio:.2} of its thickness, and above 0.3 it also stretches, which makes it stiffer than computed"
+            "The plate is stiffer than computed. The plate moves by {ratio:.2} times its thickness; above {MAX_DEFLECTION_OVER_THICKNESS} it also stretches."
         )
     });
     let little = Warning::new_if(
@@ -175,7 +182,7 @@ fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) ->
         zener_number,
         || {
             format!(
-                "Zener's number is {zener_number:.2}, above {MAX_MEASURED_ZENER_NUMBER}, up to which measured contact times confirm the theory of the plate: it takes nearly all, and a small error in its thickness changes e many times as much; take e for nearly 0"
+                "e is close to 0 and very sensitive to the thickness. Zener's number {zener_number:.2} exceeds {MAX_MEASURED_ZENER_NUMBER}, up to which measured contact times confirm the plate model."
             )
         },
     );

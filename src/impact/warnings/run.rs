@@ -23,7 +23,7 @@ pub(super) fn rebound_warning(contact: &Contact, impact: &Impact) -> Option<Warn
     let is_doubtful = if is_real { !is_by_weight } else { known.is_nan() && restitution > MAX_RESTITUTION };
     Warning::new_if(is_doubtful, WarningKind::EnergyGain, restitution, || {
         format!(
-            "restitution {restitution:.6} is above 1, which is no physics: take it for 1. Either the run is too coarse (its balance of energy is off by {balance_error:.1e}: tighten the tolerance or use another method), or a second hit ended just behind a knot of the loading curve, where the plastic work of the law falls a little"
+            "e is too high: restitution = {restitution:.6} exceeds 1. Use 1. Either the integration is too coarse (energy balance error {balance_error:.1e}); then reduce solver.tolerance or use another method. Or a second impact ended just beyond a segment boundary of the loading curve, where the law gains a little energy."
         )
     })
 }
@@ -31,44 +31,46 @@ pub(super) fn rebound_warning(contact: &Contact, impact: &Impact) -> Option<Warn
 /// An error of the energy balance of fixed steps above this one is warned of.
 const MAX_BALANCE_ERROR: f64 = 1e-2;
 /// Why a run in fixed steps is inaccurate, and the remedy.
-const COARSE_STEPS_TEXT: &str =
-    "the fixed steps are too long for this contact; raise solver.steps_per_contact, or use another method than verlet";
+const COARSE_STEPS_TEXT: &str = "The fixed steps are too long for this contact. Increase solver.steps_per_contact, or use another method than verlet.";
 
 /// The warning of a run in fixed steps that makes energy: that of the rebound, or that in a plate.
 pub(super) fn energy_gain_warning(contact: &Contact, impact: &Impact) -> Option<Warning> {
     let (e, has_gravity) = (impact.restitution, contact.forces().gravity.is_some());
     let plate = impact.plate_loss_fraction().filter(|share| *share > 1.0 && !has_gravity);
-    let (name, share) = plate.map_or(("restitution", e), |share| ("the share of the plate", share));
+    let (name, share) =
+        plate.map_or(("e is too high: restitution", e), |share| ("The plate loss is too high: its fraction", share));
     Warning::new_if(share > MAX_RESTITUTION && !has_gravity, WarningKind::EnergyGain, share, || {
-        format!("{name} = {share:.6} is above 1: {COARSE_STEPS_TEXT}")
+        format!("{name} = {share:.6} exceeds 1. {COARSE_STEPS_TEXT}")
     })
 }
+
+/// An energy drift above this multiple of the tolerance is warned of.
+const MAX_TOLERANCES_OF_BALANCE: f64 = 1000.0;
+/// A difference from the closed form above this multiple of the tolerance is warned of.
+const MAX_TOLERANCES: f64 = 100.0;
 
 /// The warning of a run that is further from the closed form than its tolerance allows or, without a closed form, of one
 /// that has lost energy. Damping is not smooth at first touch, which costs the methods of `ode_solvers` up to three digits.
 pub(super) fn run_warning(impact: &Impact, &Solver { method, tolerance, .. }: &Solver) -> Option<Warning> {
     let balance_error = impact.energy.balance_error;
     let error = nan_max(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);
-    let way_out = "tighten the tolerance or use another method";
+    let way_out = "Reduce solver.tolerance or use another method.";
     if method == Method::Verlet {
-        Warning::new_if(
-            balance_error > MAX_BALANCE_ERROR || balance_error.is_nan(),
-            WarningKind::EnergyImbalance,
-            balance_error,
-            || format!("the balance of energy is off by {balance_error:.1e}: {COARSE_STEPS_TEXT}"),
-        )
+        Warning::new_if(balance_error > MAX_BALANCE_ERROR || balance_error.is_nan(), WarningKind::EnergyImbalance, balance_error, || {
+            format!("The numerical error may be large: energy balance error {balance_error:.1e}. {COARSE_STEPS_TEXT}")
+        })
     } else if impact.accuracy.closed_form_restitution.is_nan() {
-        let is_open = balance_error > 1000.0 * tolerance || balance_error.is_nan();
+        let is_open = balance_error > MAX_TOLERANCES_OF_BALANCE * tolerance || balance_error.is_nan();
         Warning::new_if(is_open, WarningKind::EnergyImbalance, balance_error, || {
             format!(
-                "the balance of energy is off by {balance_error:.1e}, more than 1000 x the tolerance {tolerance:.1e}: {way_out}"
+                "The numerical error may be large: energy balance error {balance_error:.1e}, more than {MAX_TOLERANCES_OF_BALANCE} x the tolerance {tolerance:.1e}. {way_out}"
             )
         })
     } else {
-        let is_inaccurate = error > 100.0 * tolerance || error.is_nan();
+        let is_inaccurate = error > MAX_TOLERANCES * tolerance || error.is_nan();
         Warning::new_if(is_inaccurate, WarningKind::Inaccurate, error, || {
             format!(
-                "integration and closed form differ by {error:.1e}, more than 100 x the tolerance {tolerance:.1e}: {way_out}"
+                "The numerical error exceeds the tolerance: difference from the closed form {error:.1e}, more than {MAX_TOLERANCES} x the tolerance {tolerance:.1e}. {way_out}"
             )
         })
     }

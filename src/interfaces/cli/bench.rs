@@ -26,7 +26,7 @@ pub struct BenchArguments {
     /// Replace files that this program did not write
     #[arg(long)]
     force: bool,
-    /// A third of the settings and a tenth of the rounds
+    /// Faster, less accurate benchmark
     #[arg(long)]
     quick: bool,
 }

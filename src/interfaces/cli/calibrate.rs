@@ -10,10 +10,10 @@ use super::output::OutputArguments;
 use super::scenario::{ScenarioArguments, error_at_options};
 use super::terminal::failed_with;
 
-/// Find keys of a scenario from measurements: yield strength from rebounds, with intervals
+/// Fit keys (default: yield strength) to measurements, with confidence intervals
 ///
-/// [calibrate] in the scenario says which keys are wanted and what is known of the noise. Without it, the yield strength
-/// of the half-space is. DATA is a CSV file whose columns name what they hold, with the unit: speed_m_per_s or
+/// [calibrate] defines fitted keys and noise. Default: the yield strength of the half-space.
+/// DATA is a CSV file whose columns name the quantity, with the unit: speed_m_per_s or
 /// drop_height_m; restitution, rebound_speed_m_per_s, rebound_height_m, bounce_interval_s, leeb, dent_diameter_m, dent_depth_m,
 /// contact_time_s, peak_force_N, each with a column of standard deviations (restitution_sd) if known; other keys of the
 /// scenario that change from line to line (sphere_radius_mm); or indentation_m and force_N of an indentation curve.
@@ -24,10 +24,10 @@ use super::terminal::failed_with;
 pub struct CalibrateArguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
-    /// Measurements, in place of calibrate.data
+    /// Measurements (replaces calibrate.data)
     #[arg(value_name = "DATA.csv", conflicts_with_all = ["restitution", "rebound_speed", "rebound_height", "leeb", "dent_diameter"])]
     data: Option<PathBuf>,
-    /// One measured restitution, in place of a file
+    /// One measured restitution, instead of a file
     #[arg(long, value_name = "E")]
     restitution: Option<String>,
     /// One measured rebound: --rebound-speed "1.5 m/s"
@@ -42,13 +42,13 @@ pub struct CalibrateArguments {
     /// One measured dent: --dent-diameter "1.2 mm"
     #[arg(long, value_name = "LENGTH")]
     dent_diameter: Option<String>,
-    /// Impact speed of that measurement: --speed "3 m/s"
+    /// Impact speed of the measured impact: --speed "3 m/s"
     #[arg(long, value_name = "SPEED")]
     speed: Option<String>,
-    /// Height of the fall before that measurement: --drop-height "1 m"
+    /// Drop height of the measured impact: --drop-height "1 m"
     #[arg(long, value_name = "HEIGHT", conflicts_with = "speed")]
     drop_height: Option<String>,
-    /// Fit every other law too, and rank the laws
+    /// Also fit all other laws and rank them
     #[arg(long)]
     all_laws: bool,
     #[command(flatten)]

@@ -14,9 +14,9 @@ use plm_impact::scenario::Scenario;
 
 use super::scenario::write_new_scenario;
 
-/// One impact of a ball by the names of two materials: its e with an interval, rebound height, dent, force and time
+/// Simulate one impact of a ball on a library material (no scenario file needed)
 ///
-/// The exponent of the unloading is the one that comes nearest to finite elements ("pressure-shape").
+/// Prints the coefficient of restitution with its interval, rebound height, dent, force and time. Uses unloading_exponent = "pressure-shape".
 #[derive(Debug, Args)]
 #[command(group = ArgGroup::new("approach").required(true), after_help = "Examples:
   plm-impact drop --ball steel-52100-hardened --diameter \"10 mm\" --on aluminium-6061-t6 --from \"1 m\"
@@ -28,10 +28,10 @@ pub struct DropArguments {
     /// Diameter of the ball, such as "10 mm"
     #[arg(long)]
     diameter: String,
-    /// Material that is hit
+    /// Material of the target
     #[arg(long, value_name = "MATERIAL")]
     on: String,
-    /// Thickness, where a plate is hit
+    /// Thickness of a plate target [default: half-space]
     #[arg(long)]
     thickness: Option<String>,
     /// Height of the fall, such as "1 m"
@@ -46,22 +46,22 @@ pub struct DropArguments {
     /// Coefficient of friction
     #[arg(long, requires = "angle")]
     friction: Option<f64>,
-    /// Yield strength of what is hit, in place of that of its material
+    /// Override the yield strength of the target
     #[arg(long, conflicts_with = "hardness")]
     strength: Option<String>,
     /// Which stress the strength is: "flow" in the impact, or the 0.2 % "proof" stress
     #[arg(long, value_name = "KIND")]
     strength_kind: Option<String>,
-    /// Yield strength of the ball, in place of that of its material
+    /// Override the yield strength of the ball
     #[arg(long, value_name = "STRENGTH", conflicts_with = "ball_hardness")]
     ball_strength: Option<String>,
     /// Which stress the strength of the ball is: "flow" or "proof"
     #[arg(long, value_name = "KIND")]
     ball_strength_kind: Option<String>,
-    /// Hardness of the ball, in place of that of its material, such as "63 HRC"
+    /// Override the hardness of the ball, such as "63 HRC"
     #[arg(long, value_name = "HARDNESS")]
     ball_hardness: Option<String>,
-    /// Hardness of what is hit, in place of that of its material, such as "300 HV"
+    /// Override the hardness of the target, such as "300 HV"
     #[arg(long)]
     hardness: Option<String>,
     /// Write the scenario to this file, to go on with `plm-impact run`
@@ -70,7 +70,7 @@ pub struct DropArguments {
     /// Print all results as JSON
     #[arg(long)]
     json: bool,
-    /// Take warnings for errors
+    /// Treat warnings as errors (exit code 1)
     #[arg(long)]
     strict: bool,
 }
@@ -135,7 +135,7 @@ fn error_at_options(error: Error) -> Error {
 impl DropArguments {
     /// The scenario, as a person would write it.
     fn scenario(&self) -> String {
-        let mut text = "# A drop, as `plm-impact drop` was asked for it.\n\n[sphere]\n".to_owned();
+        let mut text = "# Written by `plm-impact drop`.\n\n[sphere]\n".to_owned();
         let key = |text: &mut String, key: &str, value: Option<&str>| {
             let _ = value.map(|value| writeln!(text, "{key} = {}", toml::Value::from(value)));
         };
@@ -165,7 +165,7 @@ impl DropArguments {
             return text;
         }
         text.push_str(
-            "\n[law.plm]\n# error of e 1 % (rms) against finite elements; with 1.5, the exponent of the paper, e is 3 % too low\n",
+            "\n[law.plm]\n# recommended: rms error of e 1 % (with 1.5, the exponent of the paper, e is 3 % too low)\n",
         );
         key(&mut text, "unloading_exponent", Some("pressure-shape"));
         text

@@ -8,7 +8,7 @@ use plm_impact::scenario::keys::quantity::SPEED;
 use super::output::parse_choice;
 use super::scenario::ScenarioArguments;
 
-/// Print the lines that give another code the same rebound: its e, springs, time step, or a table e(v)
+/// Print contact parameters for a DEM code, or a table e(v)
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact export impact.toml --to lammps --speed \"1 m/s\"
@@ -16,10 +16,10 @@ use super::scenario::ScenarioArguments;
 pub struct ExportArguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
-    /// The code
+    /// Target code
     #[arg(long, value_name = "CODE", value_parser = parse_choice(TargetCode::ALL, TargetCode::name))]
     to: TargetCode,
-    /// Impact speed [default: that of the scenario]
+    /// Impact speed [default: speed of the scenario]
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
     /// First and last speed of a table e(v), such as "0.1 m/s,10 m/s" [default: a tenth to ten times the speed]
@@ -47,7 +47,7 @@ fn speed(option: &str, text: &str) -> Result<f64, Error> {
 fn speeds(text: &str) -> Result<(f64, f64), Error> {
     let both = text.split_once(',').ok_or_else(|| {
         Error::input(format!(
-            "--speeds: \"{text}\" is not two speeds: write the first and the last, \"0.1 m/s,10 m/s\""
+            "--speeds: \"{text}\" is not two speeds. Write the first and the last, such as \"0.1 m/s,10 m/s\"."
         ))
     })?;
     let (from, to) = (speed("--speeds", both.0.trim())?, speed("--speeds", both.1.trim())?);

@@ -9,9 +9,9 @@ use plm_impact::scenario::TEMPLATES;
 use super::output::parse_choice;
 use super::scenario::{STANDARD_INPUT, write_new_scenario};
 
-/// Write a scenario to begin with, in which a comment explains every key
+/// Write a commented scenario template
 ///
-/// It runs as it is. A file that is there is never overwritten.
+/// The template can be run without changes. Existing files are never overwritten.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact init leeb

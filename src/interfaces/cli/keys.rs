@@ -6,7 +6,7 @@ use plm_impact::scenario::key_docs::{describe_keys, describe_result};
 use plm_impact::scenario::keys::ALL_KEYS;
 use plm_impact::strings::did_you_mean;
 
-/// Print what a key of a scenario is: its meaning, its unit and range, and its default
+/// Explain scenario keys (meaning, unit, range, default)
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact keys impact.angle

@@ -6,7 +6,7 @@ use plm_impact::materials::{MaterialEntry, all_materials, find};
 use plm_impact::report::text::materials::{is_match, material_page, materials_json, materials_text};
 use plm_impact::scenario::keys::words::unknown_material;
 
-/// List the materials that scenarios may name, or print values, ranges and sources of one
+/// List the materials, or print values, ranges and sources of one
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact materials

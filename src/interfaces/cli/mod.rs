@@ -30,9 +30,9 @@ use terminal::ErrorFormat;
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
-/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 measurements contradict
-/// the law, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command resumes).
-/// For several files the exit code is the largest of theirs.
+/// Exit codes: 0 success; 1 failure, or warnings with --strict; 2 invalid input;
+/// 3 the law does not fit the data; 130 and 143 interrupted by Ctrl-C and SIGTERM
+/// (run the command again to resume a sweep). For several files, the largest code.
 #[derive(Debug, Parser)]
 #[command(
     version,
@@ -42,10 +42,10 @@ use terminal::ErrorFormat;
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Print the licence of the program, and those of the fonts and crates that it is linked with
+    /// Print all licences (program, fonts, crates)
     #[arg(long)]
     licenses: bool,
-    /// How errors and warnings are written to standard error: json is an object a line, with file, line, column, key, value
+    /// Format of errors and warnings on standard error (json: one object per line, with file, line, column, key, value)
     #[arg(long, global = true, value_enum, value_name = "FORMAT", default_value = "text")]
     error_format: ErrorFormat,
 }
@@ -58,7 +58,7 @@ enum Command {
     Check(run::CheckArguments),
     Calibrate(calibrate::CalibrateArguments),
     Export(export::ExportArguments),
-    /// List the contact laws: name, source, loading, unloading, validity, confidence; and those that are not public
+    /// List the contact laws with sources, formulas, validity and confidence
     #[command(after_help = "Examples:
   plm-impact laws
   plm-impact run impact.toml --set law=thornton")]
@@ -121,7 +121,7 @@ fn parse() -> Result<Cli, Error> {
             && let Some(file) = words.get(1).filter(|word| Path::new(word).extension().is_some_and(|end| end == "toml"))
         {
             let file = file.to_string_lossy();
-            return Error::input(format!("no command is given for {file}; write `plm-impact run {file}`"));
+            return Error::input(format!("no command is given. Did you mean `plm-impact run {file}`?"));
         }
         match option_of_key(&error) {
             Some(text) => Error::input(text),

@@ -27,13 +27,13 @@ pub struct OutputArguments {
     /// Replace files that this program did not write, and results of another scenario or of other settings
     #[arg(long)]
     force: bool,
-    /// Take warnings for errors: write nothing, exit code 1
+    /// Treat warnings as errors (no files, exit code 1)
     #[arg(long)]
     pub strict: bool,
-    /// Print also how exact the integration was: closed form, steps, balance of energy
+    /// Also print numerical accuracy (closed form, steps, energy balance)
     #[arg(long, conflicts_with = "quiet")]
     pub verbose: bool,
-    /// Neither table nor progress; warnings and errors only
+    /// Print warnings and errors only
     #[arg(long)]
     pub quiet: bool,
     /// Print summary.json, and nothing else, to standard output
@@ -97,7 +97,7 @@ impl OutputArguments {
     pub fn refuse_shared_directory(&self) -> Result<(), Error> {
         let Some(one) = &self.out else { return Ok(()) };
         Err(Error::input(format!(
-            "--out {}: several files have a directory each; leave --out out, and they go to plots/NAME, or run one file at a time",
+            "--out {}: --out cannot be used with several scenarios. Without --out, results go to plots/NAME; or run one file at a time.",
             one.display()
         )))
     }
@@ -203,7 +203,7 @@ pub fn parse_choice<T: Copy + Send + Sync + 'static, const N: usize>(
 /// The option with the format of pictures.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct PictureArguments {
-    /// Format of the pictures: svg stays sharp in any size, and its text can be searched; narrow-svg fits a column of a paper
+    /// Format of the plots (narrow-svg: width of a journal column)
     #[arg(id = "pictures", long, value_name = "FORMAT", default_value = "png", value_parser = parse_choice(PictureFormat::ALL, PictureFormat::name))]
     pub format: PictureFormat,
 }

@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::output::OutputArguments;
 use super::scenario::{ScenarioArguments, error_at_options};
 
-/// Run a scenario: summary, trace and pictures into a directory, a table to the terminal
+/// Run a scenario and write summary, trace and plots
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact run impact.toml --set impact.speed=\"1 m/s\" --pictures svg
@@ -18,10 +18,10 @@ use super::scenario::{ScenarioArguments, error_at_options};
 pub struct RunArguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
-    /// More scenario files; each is run with the same options into a directory of its own
+    /// Additional scenarios, each with a separate output directory
     #[arg(value_name = "FILES")]
     more: Vec<PathBuf>,
-    /// Impact speed in place of that of the scenario, as --set impact.speed="2 m/s"
+    /// Override the impact speed, as --set impact.speed="2 m/s"
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
     #[command(flatten)]
@@ -82,7 +82,7 @@ fn run_file(arguments: &RunArguments, file: &ScenarioArguments) -> Result<(), Er
     arguments.output.run_and_write(file.name(), scenario)
 }
 
-/// Print what is understood of a scenario, its yield point and the warnings of a run; write nothing
+/// Validate a scenario: print values in SI, yield point and warnings
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact check impact.toml

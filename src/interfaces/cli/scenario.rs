@@ -17,12 +17,12 @@ pub const STANDARD_INPUT: &str = "-";
 pub fn write_new_scenario(path: &Path, text: &str, option: &str) -> Result<(), Error> {
     let name = path.display();
     let mut file = File::create_new(path).map_err(|reason| match reason.kind() {
-        ErrorKind::AlreadyExists => Error::input(format!("{name}: is there already; name another file with {option}")),
-        _ => Error::input(format!("{name}: cannot be written: {reason}; name another file with {option}")),
+        ErrorKind::AlreadyExists => Error::input(format!("{name} already exists. Choose another file with {option}.")),
+        _ => Error::input(format!("{name}: cannot be written: {reason}. Choose another file with {option}.")),
     })?;
     let written = file.write_all(text.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(path)));
     written.map_err(failed_with(format!("{name}: cannot be written")))?;
-    super::terminal::note(format_args!("wrote {name}; go on with `plm-impact run {name}`"));
+    super::terminal::note(format_args!("wrote {name}. Next: `plm-impact run {name}`"));
     Ok(())
 }
 
@@ -42,7 +42,7 @@ pub struct ScenarioArguments {
     /// Scenario file (TOML); - is standard input, and files that it names are then relative to the current directory
     #[arg(value_name = "FILE")]
     scenario: PathBuf,
-    /// Override a key: --set impact.speed="1 m/s", choose a law: --set law=thornton, or take a key away: --set gravity=none
+    /// Override a key (impact.speed="1 m/s"), select a law (law=thornton) or remove a key (gravity=none); repeatable
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
 }

@@ -26,8 +26,8 @@ pub struct Options {
     /// Sweeps: format of the table [default: csv]
     #[arg(long, value_parser = parse_choice(Format::ALL, Format::name))]
     format: Option<Format>,
-    /// Sweeps: compute only each N-th part of the table, from the I-th, counted from 0; without it the rest is computed; auto
-    /// takes I and N from a Slurm array job
+    /// Sweeps: compute shard I of N (I = 0 to N-1); run once without --shard to finish; auto takes I and N from a Slurm
+    /// array job
     #[arg(long, value_name = "I/N|auto")]
     shard: Option<String>,
     /// Sweeps: threads [default: one a core]; the table is the same whatever their number
@@ -45,7 +45,7 @@ impl Options {
         ];
         match given.into_iter().flatten().next() {
             Some(name) => Err(Error::input(format!(
-                "{name} is for tables, those of a [sweep] or a [monte_carlo], and this scenario is {scene}"
+                "{name} applies to [sweep] and [monte_carlo] only, and this scenario is {scene}"
             ))),
             None => Ok(()),
         }
@@ -66,7 +66,7 @@ pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &
     let shard = options.shard.as_deref().map(parse_shard).transpose()?;
     let pictures = output.pictures.format;
     if shard.is_some() && output.json {
-        let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";
+        let message = "--json and --shard exclude each other, because a shard has no summary. Remove one of the two.";
         return Err(Error::input(message.to_owned()));
     }
     let signals = Signals::listen()?;
@@ -78,9 +78,9 @@ pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &
         layout.rows_per_part = rows.get();
     }
     let leaves = if layout.is_split(shard, &directory) {
-        "the same command goes on from the parts that are whole"
+        "run the same command again to resume"
     } else {
-        "nothing was written; the same command starts anew"
+        "no files were written"
     };
     let watch = Watch { is_quiet: output.quiet, counted: "rows", grace_period: GRACE_PERIOD, on_abandon: leaves };
     let (directory, plan, written) = watch.watch(signals, move |progress| {
@@ -99,7 +99,7 @@ pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &
     let about = table::table_text(&plan, &written.tally, &warnings_and_notes);
     let (mut files, mut removed) = (Vec::new(), Vec::new());
     if shard.is_none() {
-        let leaves = "the table is written, its summary is not; give the same command again";
+        let leaves = "the table is complete, but summary and plots are missing; run the same command again";
         let tally = written.tally.clone();
         // the parts of a table are no file
         let table = written.table.file_name().filter(|_| written.table.is_file());
@@ -112,7 +112,7 @@ pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &
     note_replaced(&directory, &removed);
     let found = match written.resumed_rows {
         0 => String::new(),
-        rows => format!("{rows} of these rows were there\n"),
+        rows => format!("{rows} rows were already computed\n"),
     };
     let names = std::iter::once(written.table.display().to_string()).chain(files.iter().map(|file| file.name.clone()));
     let wrote = format!("{found}wrote {}", names.collect::<Vec<_>>().join(", "));
@@ -123,7 +123,7 @@ pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &
     }
     // rows without a result make exit code 1
     let table = written.table.display();
-    let text = format!("{failures} of {rows} cases have no result: see the column status of {table}");
+    let text = format!("{failures} of {rows} cases have no result. See the column `status` in {table}.");
     Err(Error::failed(text).with_file(table))
 }
 
@@ -146,9 +146,10 @@ fn other_table(directory: &OutputDirectory, written: &[String]) -> Option<String
 /// [`Error`] if the number in the environment is not allowed, or if the system does not start that number of threads.
 pub fn with_threads<R: Send>(option: Option<u16>, work: impl FnOnce() -> R + Send) -> Result<R, Error> {
     let threads = option.map_or_else(threads_from_environment, Ok)?;
-    let pool = ThreadPoolBuilder::new().num_threads(threads.into()).build().map_err(|error| {
-        Error::input(format!("the system does not start {threads} threads: {error}; give fewer with --threads"))
-    })?;
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(threads.into())
+        .build()
+        .map_err(|error| Error::input(format!("cannot start {threads} threads: {error}. Use a smaller --threads.")))?;
     Ok(pool.install(work))
 }
 

@@ -87,7 +87,7 @@ pub struct Watch {
 impl Watch {
     /// The watch of work that writes no files.
     pub fn without_files(is_quiet: bool) -> Self {
-        Self { is_quiet, counted: "done", grace_period: Duration::ZERO, on_abandon: "nothing was written" }
+        Self { is_quiet, counted: "done", grace_period: Duration::ZERO, on_abandon: "no files were written" }
     }
 
     /// Does the work on a thread of its own. A signal asks it to stop.

@@ -29,10 +29,10 @@ impl ExportedContact {
         match kind {
             Kind::Calibrate => {
                 return refuse(
-                    "its keys are still to be found: export the calibrated.toml that `plm-impact calibrate` writes",
+                    "this scenario is a calibration. Run `plm-impact calibrate`, and export the resulting calibrated.toml.",
                 );
             }
-            Kind::Indentation => return refuse("there is no impact in it: leave this table out, and give an impact"),
+            Kind::Indentation => return refuse("this scenario has no impact. Remove this table, and add [impact]."),
             _ => {}
         }
         let plan = kind.is_table().then(|| scenario.plan()).transpose()?;
@@ -64,7 +64,7 @@ impl ExportedContact {
             Support::Fixed => None,
             Support::Ball => contact.half_space().ball_radius(),
             Support::Free(_) => {
-                let message = "these lines are for a wall that is fixed, or for two spheres: leave this key out, or give mass = \"ball\" with half_space.radius and half_space.density";
+                let message = "only a fixed wall or two spheres can be exported. Remove this key, or give mass = \"ball\" with half_space.radius and half_space.density.";
                 return Err(scenario.document.refusal("half_space.mass", message));
             }
         };

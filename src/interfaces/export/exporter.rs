@@ -36,10 +36,10 @@ impl TargetCode {
     fn untested_note(self) -> Option<&'static str> {
         match self {
             Self::Lammps | Self::Csv => None,
-            Self::Liggghts | Self::Yade => Some(
-                "no test runs these lines in that code; once a ball on a wall was, with e within 1 %: compare one rebound first",
-            ),
-            Self::Mercury => Some("these lines were never run in that code: compare one rebound first"),
+            Self::Liggghts | Self::Yade => {
+                Some("not tested automatically; verified once (ball on a wall, e within 1 %). Check one rebound first.")
+            }
+            Self::Mercury => Some("never run in that code. Check one rebound first."),
         }
     }
 
@@ -127,7 +127,7 @@ impl Exporter<'_> {
                 (Some(from), None) => format!("from {from} m/s on"),
                 (None, None) => "at all speeds near this one".to_owned(),
             };
-            about.push(format!("e is a constant here; in the law it stays within {percent} % {range}"));
+            about.push(format!("constant e; the law gives e within {percent} % of it {range}"));
             let (step, steps) = (self.time_step(), steps_per_contact(restitution));
             about.push(format!(
                 "time step {step:.3e} s or less ({steps} steps a contact, e within 1 %), for a sphere of"
@@ -184,7 +184,7 @@ impl Exporter<'_> {
         }
         if self.impact.restitution_with_waves().is_some() {
             let alone = self.impact.restitution;
-            return format!("this e is for a thick wall: elastic waves are in it, and it is {alone:.6} without them");
+            return format!("e includes radiated waves (thick wall); without them e is {alone:.6}");
         }
         if self.contact.ball.is_some() && damped.is_empty() {
             return "this e is that of the closing speed of two spheres, without elastic waves in them".to_owned();
@@ -192,7 +192,8 @@ impl Exporter<'_> {
         if !damped.is_empty() {
             return "this e has the [damping] of the scenario in it: let the simulation add no other".to_owned();
         }
-        "this e is without elastic waves: give half_space.density for a thick wall, and half_space.thickness too for a sheet".to_owned()
+        "e is without elastic waves. Set half_space.density for a thick wall, and half_space.thickness for a plate."
+            .to_owned()
     }
 
     /// Time step with which a damped spring is accurate enough \[s\].

@@ -34,7 +34,7 @@ const POINTS: u32 = 41;
 pub fn export(scenario: &Scenario, request: &ExportRequest, command: &str) -> Result<String, Error> {
     let bare = ExportedContact::new(scenario)?;
     let speed = request.speed.or(bare.speed).or(request.speeds.map(|(from, _)| from)).ok_or_else(|| {
-        Error::input("the scenario has no single impact speed: give --speed, such as --speed \"3 m/s\"".to_owned())
+        Error::input("the scenario has no single impact speed. Give --speed, such as --speed \"3 m/s\".".to_owned())
     })?;
     let at = |speed: f64| {
         let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
@@ -42,7 +42,7 @@ pub fn export(scenario: &Scenario, request: &ExportRequest, command: &str) -> Re
     };
     let impact = at(speed)?;
     if impact.measured_restitution() <= 0.0 {
-        return Err(Error::input(format!("at {speed} m/s the sphere does not rebound, and no spring has e = 0")));
+        return Err(Error::input(format!("no rebound at {speed} m/s; a spring-dashpot cannot have e = 0")));
     }
     let mut table = Vec::new();
     if request.target.accepts_table() {
@@ -54,7 +54,7 @@ pub fn export(scenario: &Scenario, request: &ExportRequest, command: &str) -> Re
             table.push(at(ends.map_or_else(|| from * pow(to / from, share), |(_, speed)| speed))?);
         }
     } else if request.speeds.is_some() {
-        let message = "--speeds: this code takes one constant e; give --speed, or --to csv";
+        let message = "--speeds: this code supports a constant e only. Give --speed, or use --to csv.";
         return Err(Error::input(message.to_owned()));
     }
     exporter::Exporter { scenario, contact: &bare, impact: &impact, e: impact.measured_restitution(), command }

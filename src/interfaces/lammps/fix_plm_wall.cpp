@@ -203,7 +203,7 @@ void FixPLMWall::advise()
                    of_law, of_law - worst.loss);
   if (all < LEAST_STEPS * update->dt)
     error->warning(FLERR,
-                   "Fix plm/wall: the shortest contact has only {:.1f} steps, so its e means nothing: take a timestep of {:.3g} or less",
+                   "Fix plm/wall: e is not meaningful: the shortest contact has only {:.1f} time steps. Use a timestep of {:.3g} or less",
                    all / update->dt, wanted);
   else if (update->dt > wanted)
     error->warning(FLERR, "Fix plm/wall: the timestep {:.3g} is too long for e within 0.1 %", update->dt);
@@ -272,8 +272,8 @@ void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double d
     if (overlap > MAX_FIRST_OVERLAP_STEPS * way + ROUNDING * atom->radius[i]) {
       is_inside = true;
       error->warning(FLERR,
-                     "Fix plm/wall: sphere {} is {:.3g} deep in the wall when it first touches it, and moves {:.3g} in a step: the wall "
-                     "throws it out with energy that it never had. Place spheres outside of the wall",
+                     "Fix plm/wall: the initial overlap adds spurious energy. Sphere {} is {:.3g} deep in the wall when it first touches it, "
+                     "and moves {:.3g} in a step. Place spheres outside of the wall",
                      atom->tag[i], overlap, way);
     }
   }
@@ -293,8 +293,8 @@ void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double d
   if (indentation > law.validated_indentation && !is_deep) {
     is_deep = true;
     error->warning(FLERR,
-                   "Fix plm/wall: sphere {} is {:.3g} deep in the wall; the data behind its law end at {:.3g} for this radius. Take its "
-                   "force, dent and e as estimates",
+                   "Fix plm/wall: force, dent and e of sphere {} are estimates: its overlap {:.3g} exceeds the validated {:.3g} for this "
+                   "radius",
                    atom->tag[i], overlap, law.validated_indentation / scale / length_unit);
   }
   // the plastic work changes only if the dent grows

@@ -48,8 +48,9 @@ fn table_outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, E
     let rows = plan.n_cases();
     if rows > MAX_ROWS {
         let key = if plan.is_monte_carlo() { "monte_carlo" } else { "sweep" };
-        let message =
-            format!("a table of {rows} rows: a page computes at most {MAX_ROWS}; ask for fewer, or use the command");
+        let message = format!(
+            "the page is limited to {MAX_ROWS} rows, and {rows} are requested. Use fewer rows, or the command line."
+        );
         return Err(scenario.document.refusal(key, message));
     }
     let (csv, tally) = table_csv(&plan)?;

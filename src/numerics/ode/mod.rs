@@ -50,21 +50,21 @@ pub(crate) const MAX_STEPS: u64 = 100_000;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum IntegrationError {
     /// The step became too small to advance.
-    #[error("step size underflow: a step is too small to move the sphere; loosen the tolerance or use another method")]
+    #[error("the integration failed (step size underflow). Increase solver.tolerance or use another method.")]
     StepUnderflow { time: f64, step: f64 },
     /// More steps than any impact needs.
     #[error(
-        "no end of the contact within {steps} steps; loosen the tolerance, or use method = \"auto\", which takes the closed form where there is one"
+        "the contact does not end within {steps} steps. Increase solver.tolerance, or use method = \"auto\" (closed form where there is one)."
     )]
     TooManySteps { steps: u64 },
     /// More steps of fixed length than any impact needs.
     #[error(
-        "no end of the contact within {steps} fixed steps, because the contact lasts much longer than without damping; use method = \"rk8\""
+        "the contact does not end within {steps} fixed steps, because it lasts much longer than without damping. Use method = \"rk8\"."
     )]
     TooManyFixedSteps { steps: u64 },
     /// Fixed steps that are too long to follow the contact.
     #[error(
-        "the fixed steps are too long for this contact: verlet passes it in {steps} steps and finds a restitution of {restitution:.3}; raise solver.steps_per_contact, or use another method than verlet"
+        "the fixed steps are too long for this contact: verlet needs only {steps} steps and finds a restitution of {restitution:.3}. Increase solver.steps_per_contact, or use another method than verlet."
     )]
     CoarseSteps {
         /// Steps in contact.
@@ -74,20 +74,20 @@ pub enum IntegrationError {
     },
     /// A strain rate that does not settle.
     #[error(
-        "strain rate and strength do not settle within {rounds} rounds, because the strength rises too steeply with the rate; lower the sensitivity to the rate of strain"
+        "strain rate and strength do not converge within {rounds} iterations, because the strength rises too steeply with the strain rate. Reduce the strain-rate sensitivity."
     )]
     UnsettledRate { rounds: u64 },
     /// More steps of friction than any impact needs.
     #[error(
-        "friction needs more than {steps} steps in this contact; lower the coefficient of friction, or leave out angle and spin"
+        "friction needs more than {steps} steps in this contact. Reduce the coefficient of friction, or remove angle and spin."
     )]
     TooManyFrictionSteps { steps: u64 },
     /// The damping is far above critical: the motion creeps, or its fast decay allows only tiny steps.
     #[error(
-        "no end of the contact within {steps} steps: it is damped so strongly that it creeps, or that steps are no longer than the fast decay; lower the damping, whose unit may be mistaken"
+        "the contact does not end within {steps} steps, because the damping is too strong. Reduce the damping; check its unit."
     )]
     Creeping { steps: u64 },
-    #[error("the state became infinite or not a number")]
+    #[error("the state became infinite or not a number.")]
     NotFinite { time: f64 },
 }
 

@@ -71,22 +71,22 @@ fn result_files(
 
 fn warnings(found: &Calibration) -> Vec<String> {
     let unbounded = |key: &KeyEstimate| {
-        key.intervals.is_some_and(|[_, wide]| wide.iter().any(Option::is_none)).then(|| {
-            format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
-        })
+        key.intervals
+            .is_some_and(|[_, wide]| wide.iter().any(Option::is_none))
+            .then(|| format!("The interval of {} is open: it reaches the end of the search range.", key.free.key.path))
     };
     // what is left of measurements that the law itself made is rounding, with any signs
     let runs = found.runs.filter(|_| found.misfit > MIN_SCATTER);
     let runs = runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction_reason().is_none()).map(|runs| {
         let p = format_four_digits(runs.p);
-        format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
+        format!("The intervals are too narrow: the residuals are not random (runs test, p = {p}), so the law has a systematic error.")
     });
     let unlikely = found.keys.iter().filter_map(|key| material_doubt(key, &found.fit.problem.input));
     let range_warnings = found.range_warnings().into_iter().map(|(warning, line)| {
         let place = line.map_or_else(String::new, |line| format!("at line {line} of the data: "));
         format!("{place}{warning}")
     });
-    let refusal = found.reason_without_intervals.iter().map(|reason| format!("no interval: {reason}"));
+    let refusal = found.reason_without_intervals.iter().map(|reason| format!("No confidence interval: {reason}"));
     refusal
         .chain(found.verdict().undecided_reason())
         .chain(runs)
@@ -110,7 +110,7 @@ fn material_doubt(key: &KeyEstimate, input: &Input) -> Option<String> {
     let ratio = key.estimate / usual;
     (!(0.5..=2.0).contains(&ratio)).then(|| {
         format!(
-            "{}: {} times the {} of {}: check the units of the data and of the scenario",
+            "The result may be meaningless: {} is {} times the {} of {}. Check the units of the data and of the scenario.",
             key.free.key.path,
             format_four_digits(ratio),
             key.free.format_value(usual, 4),

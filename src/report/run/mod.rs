@@ -33,7 +33,7 @@ pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 }
 
 /// The remedy for a key that describes the motion of the sphere and not its contact.
-const SPHERE_MOTION_ADVICE: &str = "leave this key out; the simulation has path and spin of every sphere";
+const SPHERE_MOTION_ADVICE: &str = "The simulation has path and spin of every sphere.";
 
 /// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.
 ///
@@ -42,27 +42,27 @@ const SPHERE_MOTION_ADVICE: &str = "leave this key out; the simulation has path 
 pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     let kind = scenario.kind()?;
     if kind != Kind::Impact {
-        let message = "is not a part of a contact of two bodies: leave this table out";
+        let message = "is not supported in a DEM contact. Remove this table.";
         return Err(scenario.document.refusal(kind.name(), message));
     }
     let input = scenario.resolve_bodies()?;
     let Forces { gravity, damping, plate, .. } = input.forces();
-    let table = "leave this table out, and let the simulation add the force";
+    let table = "The simulation adds this force itself.";
     let keys = [
         ("gravity", gravity.is_some(), table),
         ("damping", damping.is_some(), table),
         ("air", scenario.document.contains("air"), table),
-        ("half_space.thickness", plate.is_some(), "leave this key out, and let the simulation move the plate"),
+        ("half_space.thickness", plate.is_some(), "The simulation moves the plate itself."),
         (
             "half_space.mass",
             input.number(key!("half_space.mass")).is_some(),
-            "leave this key out; the simulation has the mass of every body",
+            "The simulation has the mass of every body.",
         ),
         ("impact.angle", scenario.document.contains("impact.angle"), SPHERE_MOTION_ADVICE),
         ("sphere.spin", scenario.document.contains("sphere.spin"), SPHERE_MOTION_ADVICE),
     ];
     if let Some((key, _, way_out)) = keys.into_iter().find(|(_, is_there, _)| *is_there) {
-        let message = format!("is not a part of the contact law: {way_out}");
+        let message = format!("is not supported in a DEM contact. {way_out} Remove this part.");
         return Err(scenario.document.refusal(key, message));
     }
     let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
@@ -88,7 +88,7 @@ pub fn rate_dependent_contact(scenario: &Scenario, input: &Input, contact: &Cont
     let speed = input.speed();
     if !speed.is_finite() {
         let table = if scenario.document.contains("half_space.rate") { "half_space.rate" } else { "sphere.rate" };
-        let message = "the strength depends on the speed: give impact.speed, and the law is that of this speed";
+        let message = "strain-rate keys require impact.speed, because the contact law is evaluated for that speed. Add impact.speed.";
         return Err(scenario.document.refusal(table, message));
     }
     contact.at_speed(speed).map(Some).map_err(|reason| no_result_error(scenario, &reason))

@@ -130,7 +130,7 @@ pub fn no_result_error(scenario: &Scenario, reason: &ImpactError) -> Error {
             let given =
                 NUMERIC_KEYS.iter().filter(is_of_motion).map(|key| key.path).filter(|path| document.contains(path));
             let given: Vec<&str> = given.collect();
-            let text = format!("{reason}; one of these numbers is too extreme for it: {}", given.join(", "));
+            let text = format!("{reason} Probably one of these values has a wrong unit: {}.", given.join(", "));
             Error::for_file(ErrorKind::Input, document.name(), text)
         }
         ImpactError::Integration(_) => Error::for_file(ErrorKind::Failed, document.name(), reason),

@@ -17,7 +17,7 @@ use crate::strings::align_columns;
 use crate::units::{format_four_digits, format_percent};
 
 /// The note on an interval with an end outside of the range of the key.
-const UNBOUNDED: &str = "not bounded by these data";
+const UNBOUNDED: &str = "open interval";
 
 /// An interval in SI. An end that the data do not bound is `null`.
 fn interval_json(ends: IntervalEnds) -> Value {
@@ -247,7 +247,7 @@ fn law_rows(calibration: &Calibration) -> Vec<Vec<String>> {
             // where the law does not know the keys, rounding alone is left of their information
             let is_known = fit.covariance.as_ref().is_some_and(|all| all.diagonal().iter().all(|square| *square < 1.0));
             let text = |(value, found): (f64, &KeyEstimate)| {
-                if is_known { found.free.format_value(value, 4) } else { "not determined".to_owned() }
+                if is_known { found.free.format_value(value, 4) } else { "not identified".to_owned() }
             };
             let values = fit.values().into_iter().zip(&calibration.keys).map(text);
             let numbers = [fit.aic, fit.aic - calibration.min_aic()].map(|number| format!("{number:.2}"));
@@ -274,8 +274,8 @@ pub fn terminal_table(calibration: &Calibration) -> String {
                 name,
                 match *ends {
                     [Some(low), Some(high)] => format!("{} to {}", text(low), text(high)),
-                    [Some(low), None] => format!("{} and more, {UNBOUNDED}", text(low)),
-                    [None, Some(high)] => format!("{} and less, {UNBOUNDED}", text(high)),
+                    [Some(low), None] => format!("{} and more ({UNBOUNDED})", text(low)),
+                    [None, Some(high)] => format!("{} and less ({UNBOUNDED})", text(high)),
                     [None, None] => UNBOUNDED.to_owned(),
                 },
             );
@@ -287,7 +287,7 @@ pub fn terminal_table(calibration: &Calibration) -> String {
         .filter(|_| calibration.reason_without_intervals.is_some() && calibration.keys.len() > 1)
     {
         let known = combination_text(calibration, &identifiability.exponents);
-        row("best known", format!("{known}, to {}", format_percent(identifiability.deviation)));
+        row("best-determined combination", format!("{known} (+- {})", format_percent(identifiability.deviation)));
     }
     let measured =
         calibration.fit.problem.data.measured_quantities().into_iter().map(MeasuredQuantity::name).collect::<Vec<_>>();
@@ -301,7 +301,7 @@ pub fn terminal_table(calibration: &Calibration) -> String {
         ),
     );
     let (noise, share) = noise(calibration);
-    let share = share.map_or_else(String::new, |share| format!(", {} of a value", format_percent(share)));
+    let share = share.map_or_else(String::new, |share| format!(", {} (relative)", format_percent(share)));
     row("noise", format!("{noise}{share}"));
     row("misfit", format!("{} rms", format_percent(calibration.misfit)));
     if let Some(p) = calibration.p {
@@ -321,19 +321,24 @@ pub fn terminal_table(calibration: &Calibration) -> String {
         );
     }
     if let Some(runs) = calibration.runs {
-        row("runs of signs", format!("p = {}", format_four_digits(runs.p)));
+        row("runs test of residuals", format!("p = {}", format_four_digits(runs.p)));
     }
     if calibration.fit.minima.len() > 1 && calibration.reason_without_intervals.is_none() {
         let second = &calibration.fit.minima[1];
         let values = calibration.fit.problem.values(&second.shares);
         let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.format_value(value, 4));
         let excess = format_four_digits(second.sum - calibration.fit.best().sum);
-        row("second best", format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")));
+        row(
+            "second minimum",
+            format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")),
+        );
     }
     let mut text = align_columns(&rows, |_| true);
     if !calibration.laws.is_empty() {
         let _ = write!(text, "\n{}", align_columns(&law_rows(calibration), |column| column == 0));
-        text.push_str("a law up to 2 above the best fits as well, and one 10 or more above it does not\n");
+        text.push_str(
+            "Laws within 2 AIC units of the best fit equally well; laws 10 or more units above fit clearly worse.\n",
+        );
     }
     text
 }

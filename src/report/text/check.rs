@@ -14,7 +14,7 @@ pub fn contact_results() -> Vec<ResultSpec<Contact>> {
         /// Mass of the sphere.
         "sphere_mass_kg" in Mass as "sphere mass": contact.mass();
         /// Mass of the body that is hit.
-        "target_mass_kg" in Mass as "mass of the body that is hit" if FREE: contact.target_mass();
+        "target_mass_kg" in Mass as "target mass" if FREE: contact.target_mass();
         /// Effective mass of both bodies.
         "effective_mass_kg" in Mass as "effective mass m*" if FREE:
             contact.target_mass().map(|_| contact.reduced_mass());
@@ -23,7 +23,7 @@ pub fn contact_results() -> Vec<ResultSpec<Contact>> {
         /// Effective modulus E* of the pair of bodies.
         "effective_modulus_Pa" in Pressure as "effective modulus E*": contact.pair().effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
-        "sphere_compliance" as "share of the sphere kappa": contact.pair().sphere_compliance;
+        "sphere_compliance" as "compliance fraction of the sphere kappa": contact.pair().sphere_compliance;
         /// Indentation at first yield.
         "yield_indentation_m" in Length as "yield indentation delta_Y" if REACHES:
             contact.pair().reachable_yield_point().map(|point| point.indentation);

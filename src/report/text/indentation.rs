@@ -31,7 +31,7 @@ pub fn half_space_results() -> Vec<ResultSpec<SpecimenResult>> {
         /// Effective modulus E* of the pair of bodies, which a nanoindentation calls the reduced modulus.
         "effective_modulus_Pa" in Pressure as "effective modulus E*": tested.pair.effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
-        "sphere_compliance" as "share of the sphere kappa": tested.pair.sphere_compliance;
+        "sphere_compliance" as "compliance fraction of the sphere kappa": tested.pair.sphere_compliance;
         /// Indentation at first yield.
         "yield_indentation_m" in Length as "yield indentation delta_Y" if REACHES:
             tested.pair.reachable_yield_point().map(|point| point.indentation);

@@ -32,7 +32,7 @@ pub fn laws_text() -> String {
         }
         text.push('\n');
     }
-    text.push_str("Not here:\n\n");
+    text.push_str("Not included:\n\n");
     for (title, reason) in unimplemented_laws() {
         let _ = writeln!(text, "{title}\n  {reason}");
     }

@@ -30,8 +30,8 @@ pub fn material_rows(text: &str) -> Vec<[String; 7]> {
 pub fn materials_text(text: &str) -> String {
     let table = align_columns(&material_rows(text), |column| column == 0 || column == 6);
     format!(
-        "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key that is given too replaces its value.\n\
-         `plm-impact materials NAME` prints ranges and sources. Those without hardness stay elastic.\n\n{table}"
+        "Materials for `material = \"NAME\"` in [sphere] and [half_space]. Keys next to `material` override its values.\n\
+         `plm-impact materials NAME` prints ranges and sources. Materials without hardness are elastic.\n\n{table}"
     )
 }
 
@@ -74,7 +74,7 @@ pub fn material_page(entry: &MaterialEntry) -> String {
     if !entry.is_metal() {
         let _ = writeln!(
             text,
-            "\nno strength: as half-space it stays elastic; for another give yield_strength or hardness"
+            "\nno strength: a half-space of this material is elastic. Set yield_strength or hardness to model a dent."
         );
     }
     text
@@ -84,12 +84,15 @@ pub fn material_page(entry: &MaterialEntry) -> String {
 fn strength_text(entry: &MaterialEntry, mean_pressure: f64) -> String {
     let stress = entry.flow_stress(mean_pressure);
     let flow = format!(
-        "flow stress {}, the mean pressure of the hardness over {}",
+        "flow stress {} (mean pressure / {})",
         format_result(stress, Dimension::Pressure),
         format_four_digits(mean_pressure / stress)
     );
     if !entry.has_hardening() {
         return flow;
     }
-    format!("{flow}; the power law begins at {}", format_result(entry.strength(mean_pressure), Dimension::Pressure))
+    format!(
+        "{flow}; initial yield strength of the power law {}",
+        format_result(entry.strength(mean_pressure), Dimension::Pressure)
+    )
 }

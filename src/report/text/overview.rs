@@ -40,8 +40,8 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     rows.push(yielding_row(contact.pair(), contact.reaches_first_yield()));
     if let Some(rated) = contact.strain_rate_result() {
         rows.push(["strain rate".to_owned(), format_si_and_short(rated.strain_rate, Dimension::StrainRate)]);
-        rows.push(["strength raised by".to_owned(), format_four_digits(rated.factor)]);
-        rows.push(["strength raised at the turn by".to_owned(), format_four_digits(rated.factor_at_peak)]);
+        rows.push(["strain-rate factor".to_owned(), format_four_digits(rated.factor)]);
+        rows.push(["strain-rate factor at maximum compression".to_owned(), format_four_digits(rated.factor_at_peak)]);
     }
     let softer = contact.pair().reachable_yield_point().map(|point| point.yield_partition.for_softer(Body::ALL));
     align_columns(&rows, |_| true) + &notes_text(notes) + &rate_hint(input, contact, softer, speed).unwrap_or_default()
@@ -87,7 +87,7 @@ fn rate_hint(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
     let higher = e(&raised.contact().ok()?)? / e(contact)? - 1.0;
     (higher > 0.0).then(|| {
         format!(
-            "\nWith the strain rate of {}, c = {c}, e is {} higher: {} = \"material\"\n",
+            "\nHint: with the strain-rate dependence of {} (c = {c}), e is {} higher. Set {} = \"material\".\n",
             choice.material.name,
             format_percent(higher),
             body.rate_table()
@@ -102,27 +102,27 @@ pub(super) fn input_rows(inputs: &Inputs) -> Vec<Row> {
 
 /// Which body flows, with the ratio of the strengths, if the contact is narrower than the sphere at first yield.
 pub(super) fn yielding_row(pair: &Pair, is_reached: bool) -> Row {
-    let Some(point) = pair.yield_point else { return ["yield point", ELASTIC_TEXT].map(str::to_owned) };
+    let Some(point) = pair.yield_point else { return ["yielding body", ELASTIC_TEXT].map(str::to_owned) };
     if !is_reached {
-        return ["yield point", TOO_WIDE].map(str::to_owned);
+        return ["yielding body", TOO_WIDE].map(str::to_owned);
     }
     let flow = point.yield_partition;
     let ratio = flow.ratio;
     let [softer, harder] = if flow.is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };
     let times = format_four_digits(ratio);
     let who = if pair.has_equal_balls() {
-        "both alike: two equal balls are one of them on a rigid wall at half the approach".to_owned()
+        "both (equal balls)".to_owned()
     } else if ratio.is_infinite() {
-        format!("the {softer}; the {harder} stays elastic")
+        format!("{softer} (the {harder} has no yield strength)")
     } else if flow.is_shared() {
         let is_sum = pair.has_unequal_balls();
-        let sum = if is_sum { "; their parts are added, which misses equal balls by up to 1 % of e" } else { "" };
-        format!("both: the {harder} is {times} times as strong, and the {softer} flows more{sum}")
+        let sum = if is_sum { "; their indentations are superposed, with an error of up to 1 % of e" } else { "" };
+        format!("both (the {harder} is {times} times stronger, so the {softer} yields more{sum})")
     } else {
-        format!("the {softer}, as the {harder} is {times} times as strong")
+        format!("{softer} (the {harder} is {times} times stronger)")
     };
-    ["who yields".to_owned(), who]
+    ["yielding body".to_owned(), who]
 }
 
-const TOO_WIDE: &str = "none within the law: at first yield the contact would be wider than the sphere";
-const ELASTIC_TEXT: &str = "none: no body has a yield_strength, and the contact stays elastic";
+const TOO_WIDE: &str = "none (at first yield the contact would be wider than the sphere)";
+const ELASTIC_TEXT: &str = "none (elastic contact, because no body has a yield strength)";

@@ -13,7 +13,7 @@ pub fn plan_lines(plan: &Plan) -> String {
     let row = |path: &str, values: String| [format!("  {path}"), values];
     let (from, rows): (_, Vec<_>) = match &plan.cases {
         Cases::Grid(axes) => {
-            ("every combination of".to_owned(), axes.iter().map(|axis| row(axis.path(), values_text(axis))).collect())
+            ("all combinations of".to_owned(), axes.iter().map(|axis| row(axis.path(), values_text(axis))).collect())
         }
         Cases::MonteCarlo { seed, variables, .. } => {
             let rows = variables.iter().map(|variable| row(variable.key.path, distribution_text(variable)));
@@ -21,7 +21,7 @@ pub fn plan_lines(plan: &Plan) -> String {
         }
     };
     let (rows, columns) = (align_columns(&rows, |_| true), plan.column_names().join(","));
-    let scene = if plan.is_monte_carlo() { "the scene at the medians" } else { "the scene of the first case" };
+    let scene = if plan.is_monte_carlo() { "values at the medians" } else { "values of the first case" };
     format!("{count} cases, {from}\n{rows}columns {columns}\n\n{scene}:\n")
 }
 
@@ -52,5 +52,8 @@ fn distribution_text(variable: &Variable) -> String {
         return format!("{name} from {first} to {second}");
     }
     let share = format_percent(variable.probability_in_range());
-    format!("{name}, mean {first}, sd {second}, cut to {} (keeps {share})", variable.key.quantity.allowed_range())
+    format!(
+        "{name}, mean {first}, sd {second}, truncated to {} (probability {share})",
+        variable.key.quantity.allowed_range()
+    )
 }

@@ -127,5 +127,5 @@ pub fn series_lines(repeat: &ImpactSeries) -> String {
             row("speed", if low == high { speed(&low) } else { format!("{} to {}", speed(&low), speed(&high)) });
         }
     }
-    align_columns(&rows, |_| true) + "\nthe scene of the first impact:\n"
+    align_columns(&rows, |_| true) + "\nvalues of the first impact:\n"
 }

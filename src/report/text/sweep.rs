@@ -97,9 +97,10 @@ pub fn summary_fields(plan: &Plan, tally: &Tally, warnings: &[String]) -> Map<St
 
 /// The lines about a finished table, for the terminal.
 pub fn summary_lines(plan: &Plan, tally: &Tally) -> String {
-    let mut text = format!("{} rows, {} without a result\n", tally.rows, tally.failures);
+    let with_results = tally.rows - tally.failures - tally.outside_law;
+    let mut text = format!("{} rows: {with_results} with results, {} failed\n", tally.rows, tally.failures);
     if tally.outside_law > 0 {
-        let _ = writeln!(text, "{} rows where the law has no answer (status outside_law)", tally.outside_law);
+        let _ = writeln!(text, "{} rows outside the range of the law (status outside_law)", tally.outside_law);
     }
     let (constant, scattered): (Vec<_>, Vec<_>) =
         tally.distributions().into_iter().partition(|(_, all)| all.is_constant && all.samples > 1);
@@ -112,7 +113,8 @@ pub fn summary_lines(plan: &Plan, tally: &Tally) -> String {
         let value = format_result(all.mean, dimension_of(column.name));
         let (name, keys) = (column_label(column), plan.varied_paths().join(" and "));
         let before = if place == 0 { "\n" } else { "" };
-        let _ = writeln!(text, "{before}{name}: {value} in all cases, as it does not depend on {keys} here");
+        let _ =
+            writeln!(text, "{before}{name}: {value} in all cases, because this result does not depend on {keys} here");
     }
     text
 }

@@ -66,11 +66,12 @@ pub fn notes_text(notes: &[String]) -> String {
 /// Where waves are computed, the restitution with waves is the one that is measured: its line comes first and has the interval, and
 /// the restitution of the contact alone is the second.
 fn put_measured_first(lines: &mut [Line]) {
-    let [first, second] = ["restitution", "with waves"].map(|label| lines.iter().position(|[name, ..]| name == label));
+    let [first, second] =
+        ["restitution", "restitution with waves"].map(|label| lines.iter().position(|[name, ..]| name == label));
     if let (Some(first), Some(second)) = (first, second) {
         let [alone, measured] = [&lines[first], &lines[second]].map(|line| line[1].clone());
         lines[first][1] = measured;
-        lines[second] = ["without waves".to_owned(), alone, std::mem::take(&mut lines[second][2])];
+        lines[second] = ["restitution without waves".to_owned(), alone, std::mem::take(&mut lines[second][2])];
     }
 }
 
@@ -89,8 +90,10 @@ fn mark_doubtful(lines: &mut [Line], impact: &Impact) {
             "restitution" if is_nearly_0 => *value = nearly_0(restitution),
             "restitution" if is_small => *value = format!("below {SMALL}"),
             "rebound speed" | "rebound height" if is_nearly_0 => "nearly 0".clone_into(value),
-            "restitution" | "without waves" if impact.is_outside_validity => value.push_str(" (outside the law)"),
-            "restitution" | "without waves" | "rebound speed" | "rebound height" if sticks => {
+            "restitution" | "restitution without waves" if impact.is_outside_validity => {
+                value.push_str(" (outside the range of validity)");
+            }
+            "restitution" | "restitution without waves" | "rebound speed" | "rebound height" if sticks => {
                 value.push_str(" (below the sticking speed)");
             }
             _ => {}
@@ -112,7 +115,7 @@ pub(super) fn imprint(is_spring: bool, left_behind: &str) -> &str {
 /// In place of the word of a dent, for a law of springs.
 const SPRING: &str = "spring";
 
-/// Puts what an impact left behind in the place of the dent, in names and remarks: where the sphere flows too, the residual
+/// Puts what an impact left behind in the place of the dent, in names: where the sphere flows too, the residual
 /// indentation is the sum of a dent and a flat on the sphere.
 pub(super) fn replace_imprint_word<'t>(texts: impl Iterator<Item = &'t mut String>, left_behind: &str) {
     for text in texts {
@@ -122,7 +125,6 @@ pub(super) fn replace_imprint_word<'t>(texts: impl Iterator<Item = &'t mut Strin
             "dent" | "dent depth" | "deepest dent" => *text = text.replace("dent", left_behind),
             _ => {}
         }
-        *text = text.replace("into the dent", &format!("into the {left_behind}"));
     }
 }
 

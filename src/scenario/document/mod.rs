@@ -45,8 +45,8 @@ pub fn read_open_file(path: &Path, from: impl Read, largest: u64) -> Result<Stri
     if bytes.len() as u64 > most {
         // data have no short form
         let is_scenario = path.extension().is_none_or(|end| end == "toml");
-        let way_out = if is_scenario { "write long lists as linspace or logspace" } else { "leave out lines of it" };
-        let reason = format!("is larger than {largest} MiB, the most that is read; {way_out}");
+        let way_out = if is_scenario { "Write long lists as linspace or logspace." } else { "Split the file." };
+        let reason = format!("is larger than {largest} MiB, the limit. {way_out}");
         return Err(Error::for_file(ErrorKind::Input, &file, reason));
     }
     String::from_utf8(bytes).map_err(|error| {
@@ -83,7 +83,7 @@ impl Override {
             .ok_or_else(|| refuse("write key=value, such as impact.speed=\"1 m/s\"".to_owned()))?;
         if text.contains(|c: char| c.is_control() && c != '\t') {
             return Err(refuse(
-                "a line break or another control character is in it; write --set anew for every key".to_owned(),
+                "contains a line break or another control character. Write one --set for each key.".to_owned(),
             ));
         }
         let change = Change::parse(key, value).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
@@ -238,7 +238,7 @@ impl Document {
     /// The refusal of a key that is given together with its alternative.
     pub(super) fn refuse_both(&self, first: &str, second: &str) -> Error {
         let [one, other] = [first, second].map(|path| path.rsplit('.').next().unwrap_or(path));
-        self.refusal(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
+        self.refusal(second, format!("`{one}` and `{other}` exclude each other. Remove one of the two."))
     }
 
     fn error_at(&self, place: Option<Location>, key: &str, message: &str) -> Error {

@@ -114,7 +114,7 @@ impl Input {
         self.named_law = known;
         if !self.named_law.has_loading() {
             let message = format!(
-                "{name} is a law of unloading only; write [law.combined] with loading = \"jackson_green\" (or another) and unloading = \"{name}\""
+                "{name} defines unloading only. Use [law.combined] with loading = \"jackson_green\" (or another) and unloading = \"{name}\"."
             );
             reader.in_table(name, |_| Err(ValueError::new(table, message)));
         }
@@ -126,7 +126,7 @@ impl Input {
     }
 }
 
-const ONE_LAW_TEXT: &str = "write one table such as [law.plm], or leave [law] out";
+const ONE_LAW_TEXT: &str = "write one table such as [law.plm], or remove [law]";
 
 /// The law of two halves.
 fn read_combined_law(node: &TomlValue, reader: &mut Reader) -> Result<LawChoice, ValueError> {

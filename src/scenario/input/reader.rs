@@ -73,7 +73,7 @@ impl<'f> Reader<'f> {
         let written = name.get_ref();
         self.has_unknown = true;
         let message = if known.is_empty() {
-            format!("unknown {thing} `{written}`; this table takes none")
+            format!("unknown {thing} `{written}`; this table has no keys")
         } else {
             let all = known_names(written, known, things);
             let hint = keys_of_this_name(&self.path, written)

@@ -1,6 +1,7 @@
 //! Finds given keys that have no effect on the results.
 
 use super::{Body, Input};
+use crate::contact::pair::ALONE_FROM;
 use crate::impact::Method;
 use crate::scenario::keys::key;
 
@@ -22,56 +23,51 @@ pub fn unused_reason(path: &str, inputs: &[Input], purpose: RunKind) -> Option<&
         "sphere.poissons_ratio" => {
             (all(|input| input.number(key!("sphere.youngs_modulus")) == Some(f64::INFINITY)), "the sphere is rigid")
         }
-        _ if path.starts_with("sphere.flow_stress") && all(|input| input.is_harder(Body::Sphere, 1.25)) => {
-            (true, "the half-space yields alone; leave it out")
+        _ if path.starts_with("sphere.flow_stress") && all(|input| input.is_harder(Body::Sphere, ALONE_FROM)) => {
+            (true, "only the half-space yields")
         }
-        _ if path.starts_with("half_space.flow_stress") && all(|input| input.is_harder(Body::HalfSpace, 1.25)) => {
-            (true, "the sphere yields alone; leave it out")
+        _ if path.starts_with("half_space.flow_stress")
+            && all(|input| input.is_harder(Body::HalfSpace, ALONE_FROM)) =>
+        {
+            (true, "only the sphere yields")
         }
         "sphere.yield_strength" | "sphere.hardness" => (
             all(|input| input.is_harder(Body::Sphere, 2.0)),
-            "the half-space yields alone, as it has less than half of that strength; leave the key out",
+            "only the half-space yields; its strength is less than half the strength of the sphere",
         ),
         "half_space.yield_strength" | "half_space.hardness" => (
             all(|input| input.is_harder(Body::HalfSpace, 2.0)),
-            "the sphere yields alone, as it has less than half of that strength; leave the key out",
+            "only the sphere yields; its strength is less than half the strength of the half-space",
         ),
         "sphere.density"
         | "sphere.mass"
         | "half_space.mass"
         | "half_space.density"
         | "half_space.thickness"
-        | "half_space.plate" => (!is_moving, "nothing moves here; leave the key out"),
+        | "half_space.plate" => (!is_moving, "a quasi-static indentation needs no mass, density or plate"),
         "sphere.moment_of_inertia" | "friction.coefficient" => (
             !is_moving || all(|input| input.incidence().is_none()),
-            "without impact.angle or sphere.spin nothing slides; give one of them, or leave the key out",
+            "friction acts only if impact.angle or sphere.spin is given",
         ),
-        "air.viscosity" => (
-            all(|input| input.air().is_none_or(|air| air.drag.is_some())),
-            "only drag = \"sphere\" needs it; leave the key out",
-        ),
-        "half_space.edge_distance" => {
-            (purpose != RunKind::Impact, "it only warns of single impacts; leave the key out")
+        "air.viscosity" => {
+            (all(|input| input.air().is_none_or(|air| air.drag.is_some())), "only drag = \"sphere\" uses a viscosity")
         }
+        "half_space.edge_distance" => (purpose != RunKind::Impact, "only a warning of single impacts uses this key"),
         "solver.tolerance" if inputs.iter().any(is_verlet) => (
             inputs.iter().all(|input| is_verlet(input) || !has_steps(input)),
-            "verlet takes steps of one length; leave the key out",
+            "verlet uses a fixed step (solver.steps_per_contact)",
         ),
-        "solver.tolerance" => (!inputs.iter().any(has_steps), "the closed form takes no steps; give solver.method too"),
-        "solver.steps_per_contact" => {
-            (!inputs.iter().any(is_verlet), "only the method verlet takes so many steps; leave the key out")
+        "solver.tolerance" => {
+            (!inputs.iter().any(has_steps), "this table uses the closed form; set solver.method to integrate")
         }
-        _ if path != "law" && !inputs.iter().any(|input| input.is_law_key(path)) => (
-            path.starts_with("law."),
-            "no case is under that law; name it in \"law\" of [sweep] or as the only law, or leave the key out",
-        ),
+        "solver.steps_per_contact" => (!inputs.iter().any(is_verlet), "only the method verlet has fixed steps"),
+        _ if path != "law" && !inputs.iter().any(|input| input.is_law_key(path)) => {
+            (path.starts_with("law."), "no case uses this law")
+        }
         // these tables may name the default law: an elastic contact uses Hertz, and a scenario without a law uses the PLM, so
         // these tables always have an effect
         "law.hertz" | "law.plm" => (false, ""),
-        _ => (
-            all(|input| !input.can_yield()),
-            "no body has a yield_strength, so the contact stays elastic; give one, or leave the key out",
-        ),
+        _ => (all(|input| !input.can_yield()), "the contact is elastic because no body has a yield strength"),
     };
     is_idle.then_some(why)
 }

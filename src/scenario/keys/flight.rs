@@ -25,7 +25,7 @@ impl Input {
         const MAX_USUAL: f64 = 100.0;
         let height = self.drop_height().filter(|height| *height > MAX_USUAL)?;
         let text = format!(
-            "the impact speed may be far too high: the drop height is {}, and a drop test has less than 100 m. Check the unit: a number alone is in m, and a column drop_height_mm is in mm",
+            "The impact speed may be far too high: the drop height is {}, and a drop test has less than 100 m. Check the unit: a number without a unit is in m, and a column drop_height_mm is in mm.",
             format_result(height, Dimension::Length)
         );
         Some(Warning::new(WarningKind::HighDrop, height, text))
@@ -39,7 +39,7 @@ impl Input {
         let slower = self.slowing_by_air(self.drop_height()?)?;
         (slower > MAX_SLOWING).then(|| {
             let text = format!(
-                "in air the ball arrives {} slower: add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",
+                "The impact speed is too high, because air drag is not included: air would slow the ball by {}. Add [air] with density = \"1.2 kg/m^3\" and drag = 0.5.",
                 format_percent(slower)
             );
             Warning::new(WarningKind::InAir, slower, text)
@@ -60,7 +60,7 @@ impl Input {
         let slower = 1.0 - ways.iter().map(|slower| 1.0 - slower).product::<f64>();
         (slower > MAX_SLOWING * ways.len() as f64).then(|| {
             let text = format!(
-                "e is taken {} too low, and the keys deviate with it: without [air] the loss in the air counts as a loss of the impact. Add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",
+                "The fitted keys are wrong, because the measured e is taken {} too low: without [air] the loss in the air counts as a loss of the impact. Add [air] with density = \"1.2 kg/m^3\" and drag = 0.5.",
                 format_percent(slower)
             );
             Warning::new(WarningKind::InAir, slower, text)
@@ -77,7 +77,7 @@ impl Input {
     fn added_mass_warning(&self) -> Option<Warning> {
         let added = self.added_mass().filter(|added| *added > 0.003)?;
         let text = format!(
-            "heights and times may deviate by {}: the air that moves with so light a ball has this share of its mass, and is neglected",
+            "Heights and times have an error of up to {}: the added mass of the air is this fraction of the mass of the ball, and is neglected.",
             format_percent(added)
         );
         Some(Warning::new(WarningKind::InAir, added, text))
@@ -88,7 +88,7 @@ impl Input {
     fn added_mass_of_measured(&self) -> Option<Warning> {
         let added = self.added_mass().filter(|added| 0.5 * added > MAX_SLOWING)?;
         let text = format!(
-            "speeds of falls, and e by a height and an interval, deviate by {}: the air that moves with so light a ball has {} of its mass, and is neglected",
+            "Speeds of falls, and e from a height and an interval, deviate by {}: the added mass of the air is {} of the mass of the ball, and is neglected.",
             format_percent(0.5 * added),
             format_percent(added)
         );

@@ -59,14 +59,14 @@ const fn bounded_quantity(
 pub const LENGTH: Quantity = positive("a length", Dimension::Length, "\"5 mm\"");
 /// A radius of curvature: of a hollow where it is negative.
 pub const CURVATURE: Quantity = Quantity {
-    too_high: "for a flat half-space leave the key out",
+    too_high: "for a flat half-space remove the key",
     ..bounded_quantity("a radius", Dimension::Length, Excluded(f64::NEG_INFINITY), Excluded(f64::INFINITY), "\"10 mm\"")
 };
 pub const MODULUS: Quantity = positive("a Young's modulus", Dimension::Pressure, "\"210 GPa\"");
 /// The sphere's modulus, which is infinite for a rigid sphere.
 pub const SPHERE_MODULUS: Quantity = Quantity { too_high: "for a rigid sphere write \"rigid\"", ..MODULUS };
 pub const STRENGTH: Quantity = Quantity {
-    too_high: "for an elastic body leave the key out",
+    too_high: "for an elastic body remove the key",
     ..positive("a yield strength", Dimension::Pressure, "\"345 MPa\"")
 };
 /// A hardness, as the mean pressure of a hardness test. No material that keeps a dent is softer than the lower end, which
@@ -125,7 +125,7 @@ pub const SAMPLES: Quantity = Quantity {
 pub const STEPS: Quantity = bounded_ratio("a number of steps", Included(1.0), Included(1e8), "50");
 
 pub const ACCELERATION: Quantity = Quantity {
-    too_low: "to do without gravity leave the table out",
+    too_low: "for no gravity remove the table",
     ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
 };
 /// A height that the sphere falls from.
@@ -136,23 +136,23 @@ pub const HUNT_CROSSLEY: Quantity = non_negative("a Hunt-Crossley coefficient", 
 /// A contact usually has a few hundredths to a few tenths of critical damping. Above a thousand times critical it only creeps, and the
 /// number of steps, which grows with the square of this fraction, exceeds the limit of a run.
 pub const VISCOUS: Quantity = Quantity {
-    too_high: "beyond that a contact only creeps",
+    too_high: "with more damping the sphere does not separate",
     ..bounded_ratio("a fraction of critical damping", Included(0.0), Included(1000.0), "0.05")
 };
 
-pub const SHOT_SPEED: Quantity = Quantity { too_low: "a shot without speed does not touch: leave it out", ..SPEED };
+pub const SHOT_SPEED: Quantity = Quantity { too_low: "an impact needs a speed. Remove this value", ..SPEED };
 /// Repeated impacts: as many as a table of some hundred megabytes has rows.
 pub const IMPACTS: Quantity = bounded_ratio("a number of impacts", Included(1.0), Included(1e6), "20");
 
 pub const RESTITUTION: Quantity = Quantity {
-    too_high: "it is a ratio: for 60 % write 0.6",
+    too_high: "a restitution is a ratio: for 60 % write 0.6",
     ..bounded_ratio("a restitution", Excluded(0.0), Included(1.0), "0.49")
 };
 /// A measured rebound hardness: 1000 times the restitution.
 pub const LEEB: Quantity = bounded_ratio("a Leeb hardness", Excluded(0.0), Included(1000.0), "760");
 /// An angle of impact, from the normal.
 pub const ANGLE: Quantity = Quantity {
-    too_high: "it is taken from the normal, and at 90 deg the sphere only passes by",
+    too_high: "angles are measured from the surface normal",
     ..bounded_quantity("an angle", Dimension::Angle, Included(0.0), Excluded(FRAC_PI_2), "\"30 deg\"")
 };
 /// A spin, forward or backward.
@@ -161,7 +161,7 @@ pub const SPIN: Quantity =
 pub const MOMENT_OF_INERTIA: Quantity = positive("a moment of inertia", Dimension::MomentOfInertia, "\"1e-6 kg m^2\"");
 pub const FRICTION: Quantity = non_negative("a coefficient of friction", Dimension::Ratio, "0.1");
 pub const DRAG: Quantity = Quantity {
-    too_high: "it is about 0.5 for a sphere",
+    too_high: "a sphere has about 0.5",
     ..bounded_ratio("a drag coefficient", Included(0.0), Included(100.0), "0.5")
 };
 /// The viscosity of air.

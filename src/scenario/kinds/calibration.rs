@@ -62,11 +62,11 @@ impl Scenario {
         let has_others = laws.iter().any(|law| law.name() != input.named_law.name());
         if let Some(body) = hardens.filter(|_| has_others) {
             let table = body.flow_stress();
-            let message = format!("only the law plm has hardening: leave out {table}, or the other laws");
+            let message = format!("the other laws do not support {table}. Remove this table, or fit the law plm only.");
             return Err(self.document.refusal("calibrate.laws", message));
         }
         if input.has_rate() && has_others {
-            let message = "only the law plm has a strain rate: leave out the rate, or the other laws";
+            let message = "the other laws do not support a strain rate. Remove the rate, or fit the law plm only.";
             return Err(self.document.refusal("calibrate.laws", message));
         }
         let mut deviations = self.input.numbers_of("calibrate.noise");
@@ -96,7 +96,7 @@ impl Scenario {
             }
             (None, false) => Ok(MeasurementSource::Numbers(measured)),
             (None, true) => {
-                let message = "there are no measurements: give data = \"drops.csv\", or one number such as measured.restitution = 0.49";
+                let message = "no measurements are given. Give data = \"drops.csv\", or one value such as measured.restitution = 0.49.";
                 Err(self.document.refusal("calibrate", message))
             }
         }
@@ -172,13 +172,12 @@ impl Scenario {
         if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path == free.key.path)) {
             return refuse(
                 free.key.path,
-                "is a key to find, and the data give it: leave one of the two out".to_owned(),
+                "is both a fitted key and a column of the data. Remove one of the two.".to_owned(),
             );
         }
         let is_on_plate = wanted.input.forces().plate.is_some() || paths.contains(&"half_space.thickness");
         if is_on_plate && !is_of_impacts {
-            let message =
-                "is of a plate, which gives way only to an impact, and an indentation curve is slow: leave it out";
+            let message = "does not apply to an indentation curve, which is quasi-static. Remove this key.";
             return refuse("half_space.thickness", message.to_owned());
         }
         // the speed of the data replaces the speed of the scenario
@@ -200,4 +199,4 @@ impl Scenario {
     }
 }
 
-const NO_TABLE_TEXT: &str = "there is nothing to calibrate: add [calibrate] with data = \"drops.csv\"";
+const NO_TABLE_TEXT: &str = "no measurements are given. Add [calibrate] with data = \"drops.csv\", name a CSV file, or give one value (such as --restitution 0.49).";

@@ -36,7 +36,7 @@ impl Scenario {
         let samples = self.input.samples();
         let rows = samples.saturating_mul(targets.len()).saturating_mul(specimens.len());
         if rows > MAX_TRACE_ROWS {
-            let message = format!("{samples} rows a step make {rows} rows, more than {MAX_TRACE_ROWS}; take fewer");
+            let message = format!("{samples} rows a step make {rows} rows, more than {MAX_TRACE_ROWS}; use fewer");
             return Err(self.document.refusal("output.samples", message));
         }
         self.check_flow(&self.input)?;
@@ -62,7 +62,7 @@ impl Scenario {
             return Err(self.document.refusal("indentation", message));
         };
         if steps.is_empty() {
-            let message = format!("there is no step; give one at least, {as_in}");
+            let message = format!("there is no step. Give at least one, {as_in}.");
             return Err(self.document.refusal(STEPS_KEY, message));
         }
         let ends = |step: &Input| {
@@ -72,8 +72,9 @@ impl Scenario {
             (Some(load), None) => Ok(SetPoint::Load(load)),
             (None, Some(indentation)) => Ok(SetPoint::Indentation(indentation)),
             (both, _) => {
-                let problem = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
-                let message = format!("step {i}: {problem}; write exactly one of the two, {as_in}");
+                let problem =
+                    if both.is_some() { "`load` and `indentation` exclude each other" } else { "has no target" };
+                let message = format!("step {i} {problem}. Give either load or indentation, {as_in}.");
                 Err(self.document.refusal(STEPS_KEY, message))
             }
         };
@@ -98,7 +99,7 @@ impl Scenario {
                 return refuse(format!("number {} {problem}", i + 1));
             }
             if specimens.iter().any(|other| other.name.as_deref() == Some(name)) {
-                return refuse(format!("two are called \"{name}\"; give each its own name"));
+                return refuse(format!("two are called \"{name}\". Give each a different name."));
             }
             let modulus = one.number(key!("indentation.half_space[].youngs_modulus"));
             let ratio = one.number(key!("indentation.half_space[].poissons_ratio"));
@@ -118,12 +119,12 @@ impl Scenario {
 /// these signs as a formula.
 fn name_problem(name: &str) -> Option<String> {
     match name.trim_start().chars().next() {
-        None => Some("has an empty name; call it by its material".to_owned()),
+        None => Some("has an empty name. Name the material, for example.".to_owned()),
         Some('=' | '+' | '-' | '@') => Some(format!(
-            "is called \"{name}\"; a spreadsheet would take a name that begins with = + - or @ for a formula: begin with a letter or a digit"
+            "is called \"{name}\". A name must not begin with = + - or @, because a spreadsheet reads such a text as a formula. Begin with a letter or a digit."
         )),
         Some(_) => name
             .contains(char::is_control)
-            .then(|| format!("is called \"{}\"; leave the control character out", name.escape_debug())),
+            .then(|| format!("is called \"{}\". Remove the control character.", name.escape_debug())),
     }
 }

@@ -7,9 +7,9 @@ use crate::scenario::input::Input;
 use crate::scenario::keys::key;
 
 const SPOT_TEXT: &str =
-    "write \"same\" (the dent is what the sphere meets next) or \"fresh\" (every impact on new surface)";
+    "write \"same\" (every impact hits the dent of the impact before) or \"fresh\" (every impact hits a new surface)";
 
-const NEEDS_IMPACTS_TEXT: &str = "the key `impacts` is missing: the most impacts there may be, such as impacts = 20";
+const NEEDS_IMPACTS_TEXT: &str = "the key `impacts` is missing: the maximum number of impacts, such as impacts = 20";
 
 impl Scenario {
     /// The speeds of a list of shots, if the scenario has one.
@@ -21,7 +21,7 @@ impl Scenario {
     pub(in crate::scenario) fn check_speeds(&self) -> Result<(), Error> {
         let refuse = |message: String| Err(self.document.refusal("repeat.speeds", message));
         match self.shot_speeds().map(<[f64]>::len) {
-            Some(0) => refuse("is empty: write the speed of every shot, such as [\"1 m/s\", \"2 m/s\"]".to_owned()),
+            Some(0) => refuse("is empty. Write the speed of every impact, such as [\"1 m/s\", \"2 m/s\"]".to_owned()),
             Some(count) if count as u64 > MAX_IMPACTS => refuse(format!("has {count} speeds, more than {MAX_IMPACTS}")),
             _ => Ok(()),
         }
@@ -38,14 +38,14 @@ impl Scenario {
         if first.incidence().is_some() && place == SpotMode::Same {
             return refuse(
                 "repeat.spot",
-                "a ball that comes at an angle or spins hops along, and does not meet its dent again: write \"fresh\"",
+                "oblique or spinning impacts never hit the same spot. Write spot = \"fresh\".",
             );
         }
         let drop_height = input.number(key!("impact.drop_height"));
         if drop_height.is_some() && first.incidence().is_some_and(|incidence| incidence.angle != 0.0) {
             return refuse(
                 "impact.drop_height",
-                "a fall from rest has no angle: give impact.speed at first touch in its place, or leave impact.angle out",
+                "a drop has no impact angle. Give impact.speed instead, or remove impact.angle.",
             );
         }
         let until = input.number(key!("repeat.until.speed"));

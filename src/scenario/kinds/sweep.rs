@@ -50,13 +50,15 @@ impl Scenario {
                 variables.iter().find(|variable| variable.probability_in_range() < MIN_PROBABILITY_IN_RANGE)
         {
             let allowed = variable.key.quantity.allowed_range();
-            let message = format!("almost nothing of its distribution is in the allowed range, {allowed}");
+            let message = format!(
+                "less than {MIN_PROBABILITY_IN_RANGE} of the distribution lies in the allowed range, {allowed}. Change the distribution."
+            );
             return refuse(variable.key.path, message);
         }
         if plan.n_cases() > MAX_CASES {
             return refuse(
                 if plan.is_monte_carlo() { "monte_carlo" } else { "sweep" },
-                "has more than 2^63 cases; take fewer".to_owned(),
+                "has more than 2^63 cases. Use fewer.".to_owned(),
             );
         }
         Ok(plan)
@@ -77,7 +79,7 @@ impl Scenario {
             let count = names.iter().filter(|given| *given == name).count();
             let missing = plan.column_refusal(needs).filter(|_| count > 0);
             if let Some(reason) = missing {
-                return Err(self.document.refusal(key, format!("\"{name}\" is not there: {reason}")));
+                return Err(self.document.refusal(key, format!("\"{name}\" is not available: {reason}.")));
             }
             if count > 1 {
                 return Err(self.document.refusal(key, format!("\"{name}\" is named twice")));
@@ -96,7 +98,7 @@ impl Scenario {
         // of a table only the first case may be asked for, which is one impact
         let kind = Some(self.kind()?).filter(|kind| !kind.is_table()).unwrap_or(Kind::Impact);
         let message = format!(
-            "is for tables, and this scenario is {}: leave it out, or give an impact a [sweep]",
+            "applies to [sweep] and [monte_carlo] only, and this scenario is {}. Remove this key, or add a [sweep].",
             kind.description()
         );
         Err(self.document.refusal(key, message))

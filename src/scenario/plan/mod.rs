@@ -129,34 +129,36 @@ impl Plan {
         let is_on_plate = input.forces().plate.is_some();
         let is_free = input.number(key!("half_space.mass")).is_some();
         match needs {
-            Requirement::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
+            Requirement::Strength if !input.can_yield() => Some("no body has a yield strength, so there is no dent"),
             Requirement::Interval if !self.has_interval() => Some(
-                "nothing is known of the strength but its number: name a material, or give a hardness or strength_kind = \"proof\"",
+                "the uncertainty of the strength is unknown. Name a material, or give a hardness or strength_kind = \"proof\"",
             ),
-            Requirement::Rate if !input.has_rate() => Some("without half_space.rate no strength depends on the rate"),
+            Requirement::Rate if !input.has_rate() => Some("no strain-rate model is given"),
             Requirement::Flat if !input.has_strength(Body::Sphere) => {
-                Some("without sphere.yield_strength there is no flat")
+                Some("the sphere has no yield strength, so there is no flat")
             }
             Requirement::Flight if input.free_flight().is_none() => {
-                Some("without impact.drop_height or gravity.acceleration nothing says how high the sphere rises")
+                Some("a height requires gravity.acceleration or impact.drop_height")
             }
             Requirement::Density if input.number(key!("half_space.density")).is_none() => {
-                Some("without half_space.density nothing is known of elastic waves")
+                Some("elastic waves require half_space.density")
             }
-            Requirement::Flight if is_free => {
-                Some("a body with half_space.mass moves, and nothing is known of how both fly")
-            }
+            Requirement::Flight if is_free => Some("heights are not computed for a free target (half_space.mass)"),
             Requirement::Density if is_free => {
-                Some("a body with half_space.mass moves, and no waves are computed in it")
+                Some("elastic waves are not computed for a free target (half_space.mass)")
             }
             Requirement::Target | Requirement::Struck if !is_free => {
-                Some("without half_space.mass the body that is hit is fixed")
+                Some("the target is fixed, because half_space.mass is not given")
             }
             Requirement::Incidence | Requirement::Struck if input.incidence().is_none() => {
-                Some("without impact.angle or sphere.spin nothing slides")
+                Some("friction acts only if impact.angle or sphere.spin is given")
             }
-            Requirement::Density if is_on_plate => Some("with half_space.thickness a plate takes the energy"),
-            Requirement::Thickness if !is_on_plate => Some("without half_space.thickness there is no plate"),
+            Requirement::Density if is_on_plate => {
+                Some("elastic waves are not computed for a plate; use plate_loss_fraction")
+            }
+            Requirement::Thickness if !is_on_plate => {
+                Some("the target is no plate, because half_space.thickness is not given")
+            }
             _ => None,
         }
     }
@@ -192,9 +194,9 @@ impl Plan {
         let has_laws = paths.contains(&"law");
         paths.into_iter().find_map(|path| {
             let problem = if has_laws && path.starts_with("law.") && !path.starts_with("law.plm.") {
-                "cannot vary together with \"law\": give it in the table of its law".to_owned()
+                "cannot vary together with \"law\". Give the key in the table of its law.".to_owned()
             } else {
-                format!("is not used: {}", unused_reason(path, &cases, RunKind::Table)?)
+                format!("has no effect: {}.", unused_reason(path, &cases, RunKind::Table)?)
             };
             Some((path, problem))
         })

@@ -40,7 +40,7 @@ pub(in crate::scenario) struct RandomKeys {
 pub(in crate::scenario) fn read_axes(node: &TomlValue, reader: &mut Reader) -> Result<Vec<SweepAxis>, ValueError> {
     let keys = as_table(node)?;
     if keys.is_empty() {
-        let message = "has no axis; leave the table out, or give one such as \"impact.speed\" = [\"1 m/s\", \"2 m/s\"]";
+        let message = "has no axis. Remove the table, or add an axis such as \"impact.speed\" = [\"1 m/s\", \"2 m/s\"]";
         return Err(ValueError::new(node, message));
     }
     Ok(read_each(keys, reader, read_axis))
@@ -109,10 +109,7 @@ fn read_distinct<T, K: Eq + Hash>(
     let twice = values.iter().zip(items).find(|(value, _)| !seen.insert(identity(value)));
     match twice.map(|(_, item)| (item, describe_value(item))) {
         None => Ok(values),
-        Some((item, text)) => Err(ValueError::new(
-            item,
-            format!("{text} is there twice, which would be the same rows twice; leave one out"),
-        )),
+        Some((item, text)) => Err(ValueError::new(item, format!("duplicate value {text}. Remove one."))),
     }
 }
 
@@ -126,7 +123,7 @@ impl RandomKeys {
         let problem = if !as_table(node)?.contains_key("samples") {
             "samples, the number of cases, is missing"
         } else if self.variables.is_empty() && self.materials.is_empty() && reader.errors.len() == refused {
-            "has no random key; give one such as \"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"20 MPa\" } }"
+            "has no random key. Add one such as \"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"20 MPa\" } }"
         } else {
             return Ok(());
         };
@@ -196,7 +193,7 @@ fn refuse_word(key: &NumericKey, node: &TomlValue) -> Result<(), ValueError> {
     };
     let path = key.path;
     let message = format!(
-        "\"{word}\" is no number, and an axis has numbers alone: make a table of its own with --set {path}={word}"
+        "\"{word}\" is no number, and an axis can contain numbers only. Make a separate table with --set {path}={word}."
     );
     Err(ValueError::new(item, message))
 }
@@ -234,7 +231,7 @@ fn find_numeric_key(name: &TomlKey, has_words: bool) -> Result<&'static NumericK
             &all,
         ),
     };
-    Err(ValueError { span: name.span(), message: format!("`{path}` is no numeric key of a scenario{hint}") })
+    Err(ValueError { span: name.span(), message: format!("`{path}` is not a numeric key{hint}") })
 }
 
 /// A list of values, or two ends and a number of points.
@@ -255,7 +252,7 @@ fn read_axis_values(quantity: &Quantity, value: &TomlValue) -> Result<AxisValues
         && let [_, _, n_points] = &items[..]
     {
         let message = format!(
-            "has 3 numbers; write the two ends alone, and the number of values beside them: points = {}",
+            "has 3 numbers. Write the two ends only, and the number of values as points = {}",
             describe_value(n_points)
         );
         return Err(ValueError::new(ends, message));
@@ -264,8 +261,9 @@ fn read_axis_values(quantity: &Quantity, value: &TomlValue) -> Result<AxisValues
     let points = points.ok_or_else(|| ValueError::new(value, "points, the number of values, is missing"))?;
     let points = read_count(&POINTS, points)?;
     if from.to_bits() == to.to_bits() && points > 1 {
-        let message =
-            format!("both ends are equal, which would be the same rows {points} times; give two ends, or points = 1");
+        let message = format!(
+            "both ends are equal, so all {points} rows would be the same. Give two different ends, or points = 1."
+        );
         return Err(ValueError::new(ends, message));
     }
     if !is_log {
@@ -274,7 +272,7 @@ fn read_axis_values(quantity: &Quantity, value: &TomlValue) -> Result<AxisValues
     if from > 0.0 && to > 0.0 {
         return Ok(AxisValues::logarithmic(from, to, points));
     }
-    let message = "logspace cannot reach or pass zero: begin above it, or use linspace, or a list of values";
+    let message = "the ends of logspace must both be positive or both be negative. Use linspace, or a list of values.";
     Err(ValueError::new(value, message))
 }
 
@@ -316,7 +314,7 @@ fn read_deviation(quantity: &Quantity, node: &TomlValue) -> Result<f64, ValueErr
     if let Some(scale) = scale.filter(|scale| quantity.is_hardness && *scale != hardness::HardnessScale::Vickers) {
         let name = scale.name();
         let message = format!(
-            "a standard deviation in {name} says nothing, as that scale is curved: write it in HV, such as \"20 HV\", or as a pressure"
+            "a standard deviation cannot be given in {name}, because this scale is not linear. Write it in HV, such as \"20 HV\", or as a pressure."
         );
         return Err(ValueError::new(node, message));
     }

@@ -31,101 +31,109 @@ const fn excludes(keys: &'static [&'static str], others: &'static [&'static str]
 }
 
 const OBLIQUE_KEYS: &[&str] = &["impact.angle", "sphere.spin"];
-const ONE_OF_TWO_TEXT: &str = "[{}] is given too; write only one of the two";
+const ONE_OF_TWO_TEXT: &str = "cannot be combined with [{}]. Remove one of the two.";
 
 const RULES: &[KeyRule] = &[
     KeyRule {
         keys: &["impact.drop_height"],
         other_keys: &["repeat"],
         unless: &["gravity.acceleration"],
-        reason: "a dropped sphere bounces only under gravity: add [gravity] with acceleration = \"9.80665 m/s^2\" to the file, or --set gravity.acceleration=\"9.80665 m/s^2\" to the command, or give `speed` for shots",
+        reason: "requires [gravity] together with [{}], because a sphere bounces only under gravity. Add [gravity] with acceleration = \"9.80665 m/s^2\" (command line: --set gravity.acceleration=\"9.80665 m/s^2\"), or give impact.speed for impacts at a given speed.",
     },
     needs(
         OBLIQUE_KEYS,
         &["friction.coefficient"],
-        "needs friction: add [friction] with coefficient = 0.1, or coefficient = 0 for none",
+        "requires [friction]. Add [friction] with coefficient = 0.1, or 0 for a frictionless contact.",
     ),
     KeyRule {
         keys: OBLIQUE_KEYS,
         other_keys: &["sphere.mass"],
         unless: &["sphere.moment_of_inertia"],
-        reason: "needs sphere.moment_of_inertia beside {}, as the body is no plain sphere",
+        reason: "requires sphere.moment_of_inertia, because {} describes a body that is not a solid sphere.",
     },
     needs(
         &["air"],
         &["gravity.acceleration", "impact.drop_height", "calibrate"],
-        "nothing flies: add [gravity] with acceleration = \"9.81 m/s^2\", or give impact.drop_height, or leave [air] out",
+        "has no effect, because the sphere neither falls nor bounces. Add [gravity] with acceleration = \"9.81 m/s^2\", or set impact.drop_height, or remove [air].",
     ),
     excludes(
         OBLIQUE_KEYS,
         &["air"],
-        "[{}] would slow the ball along its path too, which is not computed: leave one of them out",
+        "cannot be combined with [{}], because air drag along an oblique path is not modelled. Remove one of the two.",
     ),
     KeyRule {
         keys: OBLIQUE_KEYS,
         other_keys: &["repeat"],
         unless: &["gravity.acceleration"],
-        reason: "shots of [{}] are straight, and a ball hops along only under gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or leave this key out",
+        reason: "requires [gravity] together with [{}]: impacts at given speeds are normal impacts. Add [gravity] with acceleration = \"9.81 m/s^2\", or remove this key.",
     },
     excludes(
         OBLIQUE_KEYS,
         &["calibrate"],
-        "the impacts of [{}] are straight: leave this key out, and give the speed normal to the surface",
+        "cannot be combined with [{}], which supports normal impacts only. Remove this key, and give the normal component of the speed.",
     ),
     // a plate radiates no waves into a half-space: its density serves the plate
     KeyRule {
         keys: &["half_space.density"],
         other_keys: &["damping"],
         unless: &["half_space.thickness", "half_space.mass"],
-        reason: "elastic waves are computed from the force of the law, without damping: leave out this key, or [{}]",
+        reason: "elastic waves cannot be combined with [{}], because the wave loss is computed for a contact without damping. Remove this key or [{}].",
     },
     excludes(
         &["half_space.mass"],
         &["gravity", "repeat"],
-        "is of a body that is free to move, which is not computed beside [{}]: leave one of them out; impact.drop_height alone gives the speed",
+        "a free target cannot be combined with [{}]. Remove one of the two. (A fall can be given by impact.drop_height without [gravity].)",
     ),
     excludes(
         &["half_space.thickness"],
         &["half_space.radius", "half_space.mass"],
-        "a plate is flat and gives way by bending, and {} is given too: leave one of them out",
+        "a plate cannot be combined with {}, because a plate is flat and gives way by bending. Remove one of the two.",
     ),
     // a column of measurements may give the thickness
     needs(
         &["half_space.edge_distance", "half_space.plate"],
         &["half_space.thickness", "calibrate"],
-        "is of a plate: give half_space.thickness too, or leave the key out",
+        "applies to plates only. Add half_space.thickness, or remove this key.",
     ),
     excludes(
         &["impact"],
         &["repeat.speeds"],
-        "repeat.speeds gives the speed of every shot; leave [impact] out, or the list",
+        "cannot be combined with {}, which gives the speed of every impact. Remove one of the two.",
     ),
     excludes(
         &["repeat.speeds"],
         &["gravity"],
-        "gives every shot a speed, but under [{}] the sphere bounces: leave one of the two out",
+        "cannot be combined with [{}]: the impacts have given speeds, but under gravity the sphere bounces. Remove one of the two.",
     ),
-    excludes(&["repeat.impacts"], &["repeat.speeds"], "`speeds` is given too: it has as many impacts as speeds"),
+    excludes(
+        &["repeat.impacts"],
+        &["repeat.speeds"],
+        "cannot be combined with {}, which already determines the number of impacts. Remove repeat.impacts.",
+    ),
     needs(
         &["repeat.until"],
         &["gravity"],
-        "is for bouncing: without [gravity] every shot has its given speed; leave it out",
+        "applies only if the sphere bounces under [gravity]. Add [gravity], or remove this key.",
     ),
     excludes(
         &["impact", "gravity", "damping", "air"],
         &["indentation"],
-        "[{}] is given too, and there is no motion in it; write only one of the two",
+        "does not apply to a quasi-static [{}]. Remove one of the two.",
     ),
     excludes(
         &["sphere.rate", "half_space.rate"],
         &["indentation"],
-        "[{}] is slow, and the strength is that of a slow test: leave the rate out",
+        "does not apply to a quasi-static [{}], which has the strength of a slow test. Remove this table.",
     ),
-    excludes(&["friction"], &["indentation"], "[{}] is given too, and nothing slides there; write only one of the two"),
+    excludes(
+        &["friction"],
+        &["indentation"],
+        "does not apply to [{}], because the contact does not slide. Remove one of the two.",
+    ),
     excludes(
         &["solver"],
         &["indentation"],
-        "[{}] is given too, and it is computed in closed form; write only one of the two",
+        "does not apply to [{}], which is computed in closed form. Remove one of the two.",
     ),
     excludes(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO_TEXT),
     excludes(&["indentation.half_space"], &["half_space"], ONE_OF_TWO_TEXT),
@@ -144,7 +152,7 @@ impl Scenario {
             let keys: Vec<&str> =
                 NUMERIC_KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
             if self.document.contains(table) && !keys.iter().any(|path| self.document.contains(path)) {
-                refused.push(self.document.missing_any_key(table, &keys, "; or leave the table out"));
+                refused.push(self.document.missing_any_key(table, &keys, "; or remove the table"));
             }
         }
         // the keys that a calibration varies are checked with the data
@@ -195,21 +203,21 @@ impl Scenario {
         let refuse = |key: &str, message: &str| Err(self.refusal_where_varied(key, message));
         let radius = input.number(key!("half_space.radius"));
         if radius == Some(0.0) {
-            return refuse("half_space.radius", "must not be 0: for a flat half-space leave the key out");
+            return refuse("half_space.radius", "must not be 0. Remove the key for a flat target.");
         }
         if let Err(error @ ImpactError::Hollow(_)) = input.contact() {
             return refuse("half_space.radius", &error.to_string());
         }
         let Some(mass) = input.number(key!("half_space.mass")) else { return Ok(()) };
         if mass.is_finite() {
-            let message = "a body that is free to move has to be a ball where it is hit at an angle: give mass = \"ball\", or leave out impact.angle and sphere.spin";
+            let message = "an oblique impact on a free target requires a ball. Write half_space.mass = \"ball\", or remove impact.angle and sphere.spin.";
             return if input.incidence().is_some() { refuse("half_space.mass", message) } else { Ok(()) };
         }
         match radius {
             None => Err(self.document.missing_key("half_space", "radius")),
             Some(hollow) if hollow < 0.0 => refuse(
                 "half_space.mass",
-                "a hollow is no ball: give its mass as a number, or half_space.radius above 0",
+                "mass = \"ball\" requires a positive half_space.radius. Give the mass as a number, or a positive radius.",
             ),
             Some(_) if input.number(key!("half_space.density")).is_none() => {
                 Err(self.document.missing_key("half_space", "density"))
@@ -236,7 +244,7 @@ impl Scenario {
         let lift = FreeFlight::buoyancy_ratio(air.density, radius, mass);
         if lift >= 1.0 {
             let message = format!(
-                "the sphere floats: its buoyancy is {} times its weight; look at density and radius, and give a hollow ball its sphere.mass",
+                "the sphere floats, because its buoyancy is {} times its weight. Check air.density and the sphere; for a hollow ball set sphere.mass.",
                 format_four_digits(lift)
             );
             return Err(self.refusal_where_varied("air.density", message));
@@ -250,11 +258,10 @@ impl Scenario {
         // a swept diameter replaces a radius in the file
         let pairs = ALTERNATIVES.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
         let given = pairs.into_iter().find(|(key, other)| varies(key) && self.has_key(other));
-        let refusal = |(key, other, is_given)| {
-            (key, format!("stands in place of {other}, which {is_given}; keep one of the two"))
-        };
+        let refusal =
+            |(key, other, is_given)| (key, format!("replaces {other}, which {is_given}. Remove one of the two."));
         let both = || ALTERNATIVES.into_iter().find(|pair| pair.iter().all(|path| varies(path)));
-        let given = given.map(|(key, other)| (key, other, "the scenario gives"));
+        let given = given.map(|(key, other)| (key, other, "is also given"));
         given.or_else(|| both().map(|[other, key]| (key, other, "varies too"))).map(refusal)
     }
 }

@@ -23,7 +23,7 @@ impl Scenario {
         let mut forms = names_in_table(table).into_iter().filter(|form| self.is_given_or_varies(&path(form)));
         let Some(form) = forms.next() else {
             return if self.has_key(table) {
-                Err(self.document.refusal(table, format!("has no curve; write one of {FLOW_CURVE_EXAMPLE}")))
+                Err(self.document.refusal(table, format!("no flow curve is given. Use one of {FLOW_CURVE_EXAMPLE}.")))
             } else {
                 Ok(())
             };
@@ -59,7 +59,7 @@ impl Scenario {
         if strength.is_some_and(f64::is_nan) && !varies(hardness) {
             let modulus = format_result(input.material(body).youngs_modulus, Dimension::Pressure);
             let message = format!(
-                "is more than the pressure under a diamond that leaves no dent in a body with Young's modulus {modulus}: check the units"
+                "is too high: an indenter would cause only elastic contact in a body with Young's modulus {modulus}. Check the units."
             );
             return Err(self.document.refusal(hardness, message));
         }
@@ -67,24 +67,24 @@ impl Scenario {
         let refuse = |message: &str| Err(self.document.refusal(body.flow_stress(), message));
         if !matches!(input.named_law, LawChoice::Plm(_)) {
             let name = input.named_law.name();
-            return refuse(&format!("the law {name} has no hardening: leave the table out, or take the law plm"));
+            return refuse(&format!(
+                "a flow curve requires the law plm, and the law is {name}. Use plm, or remove this table."
+            ));
         }
         if varies("law") {
-            return refuse("only the law plm has hardening: leave the table out, or the axis \"law\"");
+            return refuse("a flow curve requires the law plm. Remove this table, or the axis \"law\".");
         }
         let Some(strength) = strength else {
             return refuse(
-                "a flow curve begins at a strength: give the body its yield_strength, the stress at plastic strain 0",
+                "requires a yield_strength, the stress at plastic strain 0. Add the yield_strength of the body.",
             );
         };
         if (self.has_key(hardness) || varies(hardness)) && !matches!(flow, FlowCurve::Power { .. }) {
-            return refuse(
-                "a hardness gives the strength of a power curve only: with this curve give yield_strength in place of hardness",
-            );
+            return refuse("a hardness can be combined with flow_stress.power only. Give yield_strength instead.");
         }
         if flow.last_strain().is_some() && (varies(yield_strength) || varies(hardness)) {
             return refuse(
-                "a curve through points begins at one yield strength, which then cannot vary; take power or voce",
+                "the yield strength cannot vary if flow_stress.points or flow_stress.table is given. Use power or voce.",
             );
         }
         let modulus = body.select([sphere.material, half_space.material]).youngs_modulus;

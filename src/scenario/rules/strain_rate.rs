@@ -6,7 +6,7 @@ use crate::materials::{Property, all_materials};
 use crate::scenario::Scenario;
 use crate::scenario::body_materials::takes_rate_from_material;
 use crate::scenario::input::{Body, Input};
-use crate::units::format_number;
+use crate::units::{format_four_digits, format_number};
 
 /// The forms of strain-rate hardening.
 const RATE_EXAMPLE: &str = "johnson_cook = { c = 0.014 } or cowper_symonds = { rate = \"6844 1/s\", exponent = 3.91 }";
@@ -29,7 +29,7 @@ impl Scenario {
                 .map(|entry| &*entry.name)
                 .collect();
             return refuse(format!(
-                "nothing is known of the rate of the material of [{of_body}], only of {}: write {RATE_EXAMPLE}",
+                "rate = \"material\" is not available for the material of [{of_body}], only for {}. Give constants: {RATE_EXAMPLE}.",
                 known.join(", ")
             ));
         }
@@ -40,17 +40,23 @@ impl Scenario {
             [false, true] => self.check_numbers(input, &forms[1])?,
             // a material gives c of the first form
             [false, false] if takes_rate_from_material(input, body) => {}
-            [false, false] => return refuse(format!("has no law; write {RATE_EXAMPLE}")),
+            [false, false] => return refuse(format!("no strain-rate model is given. Write {RATE_EXAMPLE}.")),
         }
         if !input.has_strength(body) {
-            return refuse(format!("raises a strength: give [{of_body}] its yield_strength, or leave the table out"));
+            return refuse(format!(
+                "requires a yield strength in [{of_body}]. Add a yield strength, or remove this table."
+            ));
         }
         if !matches!(input.named_law, LawChoice::Plm(_)) {
             let name = input.named_law.name();
-            return refuse(format!("the law {name} has no rate: leave the table out, or take the law plm"));
+            return refuse(format!(
+                "strain-rate dependence requires the law plm, and the law is {name}. Use plm, or remove this table."
+            ));
         }
         if self.is_varied("law") {
-            return refuse("only the law plm has a rate: leave the table out, or the axis \"law\"".to_owned());
+            return refuse(
+                "strain-rate dependence requires the law plm. Remove this table, or the axis \"law\".".to_owned(),
+            );
         }
         let Some(rate) = input.rate(body) else { return Ok(()) };
         let rise = rate.raw_factor(rate.test_rate);
@@ -58,9 +64,9 @@ impl Scenario {
             return Ok(());
         }
         refuse(format!(
-            "at the rate of the test, {} 1/s, the factor 1 + c ln(rate/reference) is {}, and a strength is positive: give a smaller c, or the rate tested_at that the strength is of",
+            "the strain-rate factor 1 + c ln(rate/reference) at tested_at = {} 1/s is {}, and must be positive. Reduce c, or correct tested_at.",
             format_number(rate.test_rate),
-            format_number(rise)
+            format_four_digits(rise)
         ))
     }
 }

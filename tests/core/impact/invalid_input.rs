@@ -108,19 +108,19 @@ fn coefficients_that_break_a_rule_are_refused() {
 fn run_without_end_names_reason() {
     let steps = 7;
     for (error, advice) in [
-        (IntegrationError::StepUnderflow { time: 0.5, step: 1e-20 }, "loosen the tolerance"),
-        (IntegrationError::TooManySteps { steps }, "loosen the tolerance"),
+        (IntegrationError::StepUnderflow { time: 0.5, step: 1e-20 }, "Increase solver.tolerance"),
+        (IntegrationError::TooManySteps { steps }, "Increase solver.tolerance"),
         (IntegrationError::TooManyFixedSteps { steps }, "method = \"rk8\""),
-        (IntegrationError::CoarseSteps { steps, restitution: 2.0 }, "raise solver.steps_per_contact"),
-        (IntegrationError::UnsettledRate { rounds: steps }, "lower the sensitivity"),
-        (IntegrationError::TooManyFrictionSteps { steps }, "lower the coefficient of friction"),
-        (IntegrationError::Creeping { steps }, "lower the damping"),
+        (IntegrationError::CoarseSteps { steps, restitution: 2.0 }, "Increase solver.steps_per_contact"),
+        (IntegrationError::UnsettledRate { rounds: steps }, "Reduce the strain-rate sensitivity"),
+        (IntegrationError::TooManyFrictionSteps { steps }, "Reduce the coefficient of friction"),
+        (IntegrationError::Creeping { steps }, "Reduce the damping"),
         (IntegrationError::NotFinite { time: 0.5 }, ""),
     ] {
         let text = error.to_string();
         assert!(text.contains(advice) && !text.contains("dimensionless") && !text.contains("0.5"), "{text}");
-        // only for a method with a tolerance the message advises to loosen it
-        assert_eq!(text.contains("tolerance"), advice == "loosen the tolerance", "{text}");
+        // only for a method with a tolerance the message advises to increase it
+        assert_eq!(text.contains("tolerance"), advice == "Increase solver.tolerance", "{text}");
     }
     // a contact that fixed steps do not leave: it creeps
     let forces = Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(1e6)), ..Forces::default() };

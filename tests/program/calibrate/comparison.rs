@@ -104,5 +104,5 @@ fn undetermined_results_are_omitted() {
     let said = desk.run(&["calibrate", "s.toml", "--all-laws", "--out", "o", "--pictures", "none"]);
     let said = String::from_utf8(said.stdout).unwrap();
     let of_springs = said.lines().find(|line| line.starts_with("walton_braun")).unwrap();
-    assert!(of_springs.contains("not determined"), "{said}");
+    assert!(of_springs.contains("not identified"), "{said}");
 }

@@ -97,7 +97,7 @@ fn one_strength_of_two_equal_balls_warns() {
     let ball = "density = 7850.0\nradius = \"5 mm\"\nmass = \"ball\"\nyield_strength";
     let one = crate::common::STEEL.replace("yield_strength", ball);
     let both = one.replace("[sphere]", "[sphere]\nyield_strength = \"345 MPa\"");
-    let words = "e is off if both balls are of one material, mostly too high and by up to 7 %";
+    let words = "e has an error of up to 7 % (mostly too high) if both balls are of one material";
     // the share is largest between the first yield and deep dents
     let e = |text: &str, speed: &str| {
         Sandbox::with_results(text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap()

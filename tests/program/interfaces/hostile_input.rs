@@ -27,7 +27,7 @@ fn one_set_changes_one_key() {
     let desk = Sandbox::with(STEEL);
     for hidden in ["impact.speed=1\nsphere.radius=1", "impact.speed=1\r\nsphere.radius=1", "impact.speed=\u{1b}[2J1"] {
         let says = refusal(&desk, &["run", "s.toml", "--out", "out", "--set", hidden]);
-        assert!(says.contains("control character") && says.contains("--set anew"), "{says}");
+        assert!(says.contains("control character") && says.contains("one --set for each key"), "{says}");
         assert!(!says.contains(['\u{1b}', '\r']), "{says:?}");
     }
 }

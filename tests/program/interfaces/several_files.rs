@@ -38,15 +38,15 @@ fn files_of_equal_name_are_refused_first() {
 fn unknown_columns_are_refused_with_scenario_kind() {
     let columns = "output.columns=[\"restitution\"]";
     for (more, kind) in [
-        ("", "one impact"),
-        ("[repeat]\nspot = \"same\"\nimpacts = 2\n", "impacts one after the other"),
+        ("", "a single impact"),
+        ("[repeat]\nspot = \"same\"\nimpacts = 2\n", "a series of impacts"),
         ("[indentation]\nsteps = [{ load = 10 }]\n", "an indentation"),
     ] {
         let scenario =
             if kind == "an indentation" { STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") } else { STEEL.into() };
         let desk = Sandbox::with(scenario + more);
         let said = desk.run_expecting(&["run", "s.toml", "--set", columns], 2).1;
-        assert!(said.contains(&format!("this scenario is {kind}: leave it out")), "{said}");
+        assert!(said.contains(&format!("this scenario is {kind}. Remove this key")), "{said}");
     }
 }
 
@@ -55,7 +55,7 @@ fn too_large_file_is_refused_with_remedy() {
     let desk = Sandbox::with(STEEL.replace("[impact]", "flow_stress = { table = \"flow.csv\" }\n\n[impact]"));
     desk.write("flow.csv", "plastic_strain,stress_Pa\n".to_owned() + &"0.1,400e6\n".repeat(110_000));
     let said = desk.run_expecting(&["check", "s.toml"], 2).1;
-    assert!(said.contains("is larger than 1 MiB, the most that is read; leave out lines of it"), "{said}");
+    assert!(said.contains("is larger than 1 MiB, the limit. Split the file."), "{said}");
     assert!(!said.contains("linspace"), "{said}");
 }
 
@@ -64,7 +64,7 @@ fn deviation_column_without_unit_gets_full_name() {
     let desk = Sandbox::with(STEEL);
     desk.write("d.csv", "speed_m_per_s,dent_depth_m,dent_depth_sd\n3,1e-5,1e-6\n");
     let said = desk.run_expecting(&["calibrate", "s.toml", "d.csv"], 2).1;
-    assert!(said.contains("`dent_depth_sd` has no unit: write dent_depth_m_sd"), "{said}");
+    assert!(said.contains("`dent_depth_sd` has no unit. Write dent_depth_m_sd"), "{said}");
 }
 
 /// A log of a batch job has lines in place of a bar.

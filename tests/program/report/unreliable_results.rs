@@ -24,7 +24,7 @@ fn first_yield_beyond_the_law_is_not_printed() {
     let point = never.pair().yield_point.unwrap();
     assert!(point.contact_radius > never.sphere().radius);
     assert_eq!((never.yield_speed(), never.yield_indentation_and_force()), (None, None));
-    for name in ["yield speed", "first yield"] {
+    for name in ["yield speed", "yield force"] {
         assert!(printed(STEEL, NO_OVERRIDES).contains(name) && !printed(&golf, NO_OVERRIDES).contains(name), "{name}");
     }
     let desk = Sandbox::with(&golf);
@@ -44,7 +44,7 @@ fn first_yield_is_that_of_the_law() {
     };
     // the strength is never reached, but the pressure is
     let (said, speed, checked) = thornton("500 MPa", "half_space.yield_strength=1e15");
-    assert!(said.contains("yield speed") && said.contains("first yield at") && speed.is_some(), "{said}");
+    assert!(said.contains("yield speed") && said.contains("yield force") && speed.is_some(), "{said}");
     assert!(checked.contains("yield speed v_Y") && !checked.contains("wider than the sphere"), "{checked}");
     // the strength is reached, but the pressure is not
     let (said, speed, checked) = thornton("200 GPa", "half_space.yield_strength=345e6");
@@ -78,7 +78,7 @@ fn a_restitution_below_the_sticking_speed_is_marked() {
     assert!(!first("25 mm/s").contains("sticking") && !first("1 m/s").contains("sticking"));
 }
 
-/// A plate that takes nearly all: a warning says to take e for nearly 0, and no digits stand beside it.
+/// A plate that takes nearly all: a warning says to e is close to 0, and no digits stand beside it.
 #[test]
 fn nearly_0_has_no_digits() {
     let drop = |thickness: &str| {
@@ -86,7 +86,7 @@ fn nearly_0_has_no_digits() {
         Sandbox::with("").run_expecting(&[&arguments[..], &["--from", "1 m", "--thickness", thickness]].concat(), 0)
     };
     let (said, warned) = drop("2 mm");
-    assert!(warned.contains("take e for nearly 0"), "{warned}");
+    assert!(warned.contains("e is close to 0"), "{warned}");
     assert!(line(&said, "restitution").unwrap().ends_with("nearly 0 (below 0.02)"), "{said}");
     assert!(line(&said, "rebound height").unwrap().ends_with("nearly 0"), "{said}");
     assert!(!drop("5 mm").0.contains("nearly 0"));
@@ -97,10 +97,7 @@ fn nearly_0_has_no_digits() {
 fn springs_leave_no_dent() {
     let law = ["law=walton_braun"];
     let said = printed(STEEL, &law);
-    assert!(
-        !said.contains("dent ") && said.contains("residual indentation") && said.contains("into the spring"),
-        "{said}"
-    );
+    assert!(!said.contains("dent ") && said.contains("residual indentation"), "{said}");
     assert!(
         printed(STEEL, NO_OVERRIDES).contains("dent depth")
             && printed(STEEL, &["law=thornton"]).contains("dent diameter")

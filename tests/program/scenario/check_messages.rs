@@ -25,20 +25,25 @@ struct ExpectedCheck {
     shown: Vec<Vec<String>>,
 }
 
-fn assert_says(about: &str, said: &str, entry: &[String]) {
-    for words in &entry[1..] {
+/// What is wrong with a text by an entry.
+fn wrong_words(about: &str, said: &str, entry: &[String]) -> Vec<String> {
+    let wrong = |words: &String| {
         if let Some(first) = words.strip_prefix('^') {
-            assert!(said.starts_with(first), "{about}, {}: {first:?} is not the first of\n{said}", entry[0]);
-            continue;
+            let problem = format!("{about}, {}: {first:?} is not the first of\n{said}", entry[0]);
+            return (!said.starts_with(first)).then_some(problem);
         }
         let (words, is_said) = words.strip_prefix('!').map_or((words.as_str(), true), |words| (words, false));
-        assert_eq!(said.contains(words), is_said, "{about}, {}: {words:?} in\n{said}", entry[0]);
-    }
+        let problem =
+            format!("{about}, {}: {words:?} must {}be in\n{said}", entry[0], if is_said { "" } else { "not " });
+        (said.contains(words) != is_said).then_some(problem)
+    };
+    entry[1..].iter().filter_map(wrong).collect()
 }
 
 #[test]
 fn check_prints_exactly_the_expected_messages() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut wrong = Vec::new();
     for scene in toml::from_str::<ExpectedMessages>(include_str!("check_messages.toml")).unwrap().scene {
         let copied = scene.copy_of.map(|path| std::fs::read_to_string(root.join(path)).unwrap());
         let checked = |entry: &[String]| {
@@ -48,10 +53,13 @@ fn check_prints_exactly_the_expected_messages() {
         };
         for entry in &scene.warned {
             let warnings = checked(entry).warnings;
-            assert_says(&scene.about, &warnings.join("\n"), entry);
+            wrong.extend(wrong_words(&scene.about, &warnings.join("\n"), entry));
             // an entry without words has no warning
-            assert!(entry.len() > 1 || warnings.is_empty(), "{}, {}: {warnings:?}", scene.about, entry[0]);
+            if entry.len() == 1 && !warnings.is_empty() {
+                wrong.push(format!("{}, {}: {warnings:?}", scene.about, entry[0]));
+            }
         }
-        scene.shown.iter().for_each(|entry| assert_says(&scene.about, &checked(entry).text, entry));
+        wrong.extend(scene.shown.iter().flat_map(|entry| wrong_words(&scene.about, &checked(entry).text, entry)));
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }

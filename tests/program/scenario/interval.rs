@@ -90,7 +90,7 @@ fn intervals_of_one_plate_overlap() {
     let (by_strength, _) = drop(&[&s235[..], &["--strength", "235 MPa"]].concat());
     let (by_hardness, said) = drop(&[&s235[..], &["--hardness", "120 HV"]].concat());
     let (by_name, _) = drop(&s235);
-    assert!(said.contains("give half_space.flow_stress.power.exponent"), "{said}");
+    assert!(said.contains("Set half_space.flow_stress.power.exponent"), "{said}");
     let piece = "[sphere]\nmaterial = \"steel-52100-hardened\"\ndiameter = \"10 mm\"\n[impact]\ndrop_height = \"1 m\"\n[law.plm]\nunloading_exponent = \"pressure-shape\"\n[half_space]\nmaterial = \"steel-s235\"\nhardness = \"120 HV\"\nflow_stress.power.exponent = 0.2\nrate.johnson_cook.c = 0.01\n";
     let desk = Sandbox::with(piece);
     desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none", "--force"], 0);
@@ -226,7 +226,7 @@ fn no_interval_beside_a_warning_without_figures() {
     let (kind, [low, high]) = part(&thin, "theory of the plate").unwrap();
     assert!(kind == "width" && low < 0.0 && high == 0.0, "{thin}");
     let (none, warned) = drop(&[&aluminium[..], &["--thickness", "2 mm"]].concat());
-    assert!(number(&none, "zener_number") > 1.5 && warned.contains("Zener's number is 2.9"), "{warned}");
+    assert!(number(&none, "zener_number") > 1.5 && warned.contains("Zener's number 2.9"), "{warned}");
     assert!(none.get("restitution_interval").is_none() && number(&none, "restitution") < 1e-3, "{none}");
     assert!(drop(&["--on", "lead", "--speed", "30 m/s"]).0.get("restitution_interval").is_none());
     assert!(drop(&["--on", "lead", "--speed", "0.5 m/s"]).0.get("restitution_interval").is_none());
@@ -249,8 +249,8 @@ fn metals_that_harden_are_computed_on_their_like() {
         let summary: Value = serde_json::from_str(&printed).unwrap();
         assert_eq!(summary["yielding_body"], "both", "{metal}");
         assert!(
-            warned.contains("hardens, and its hardness is used without an exponent N")
-                && warned.contains("give --ball-strength"),
+            warned.contains("strain-hardens, but its hardness is used without a hardening exponent N")
+                && warned.contains("Set --ball-strength"),
             "{warned}"
         );
         let [low, high] = interval(&summary);

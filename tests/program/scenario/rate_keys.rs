@@ -23,11 +23,12 @@ fn material_gives_rate_only_on_request() {
     assert_eq!(number_of_key(&scene(&copper, NO_OVERRIDES), "half_space.rate.johnson_cook.c"), None);
     let higher = 100.0 * (e(&asked) / e(&copper) - 1.0);
     let (said, _) = Sandbox::with(&copper).run_expecting(&["check", "s.toml"], 0);
-    let line = said.lines().find(|line| line.starts_with("With the strain rate of copper-annealed")).unwrap();
+    let line =
+        said.lines().find(|line| line.starts_with("Hint: with the strain-rate dependence of copper-annealed")).unwrap();
     let number: f64 = line.split("e is ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-    assert!((number - higher).abs() < 0.01 && line.ends_with("half_space.rate = \"material\""), "{line} {higher}");
+    assert!((number - higher).abs() < 0.01 && line.ends_with("half_space.rate = \"material\"."), "{line} {higher}");
     let (said, _) = Sandbox::with(&asked).run_expecting(&["check", "s.toml"], 0);
-    assert!(!said.contains("With the strain rate of") && said.contains("strength raised by"), "{said}");
+    assert!(!said.contains("with the strain-rate dependence of") && said.contains("strain-rate factor"), "{said}");
     // the yield point that is printed, and that of the JSON, are those at the strain rate of the speed
     let (json, _) = Sandbox::with(&asked).run_expecting(&["check", "s.toml", "--json"], 0);
     let json: Value = serde_json::from_str(&json).unwrap();
@@ -98,5 +99,5 @@ fn rate_and_strength_are_not_fitted_together() {
     let desk = Sandbox::with(format!("{bodies}{free}"));
     fs::write(desk.path("d.csv"), data).unwrap();
     let (_, said) = desk.run_expecting(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0);
-    assert!(said.contains("do not tell the keys apart") && said.contains("by 0.7 % a decade"), "{said}");
+    assert!(said.contains("cannot identify the keys separately") && said.contains("0.7 % per decade"), "{said}");
 }

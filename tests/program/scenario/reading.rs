@@ -327,8 +327,8 @@ fn all_mistakes_of_file_are_reported() {
     let told = error.to_string();
     let mistakes = [
         "many.toml:5:18: sphere.poissons_ratio: 0.7 is not allowed",
-        "write only one of `radius` and `diameter`",
-        "write only one of `speed` and `drop_height`",
+        "`radius` and `diameter` exclude each other",
+        "`speed` and `drop_height` exclude each other",
         "half_space.edge_distance: is of a plate",
         "impact.angle: needs friction",
         "the key `density` is missing",

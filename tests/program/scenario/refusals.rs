@@ -101,10 +101,17 @@ fn all() -> Vec<Case> {
 }
 
 fn assert_says(message: &str, parts: &[String], about: &str) {
-    for part in parts {
-        assert!(message.contains(part), "{about}: {part:?} is not in\n{message}");
+    assert_eq!(missing_parts(message, parts, about), Vec::<String>::new());
+}
+
+/// What a message lacks.
+fn missing_parts(message: &str, parts: &[String], about: &str) -> Vec<String> {
+    let missing = parts.iter().filter(|part| !message.contains(*part));
+    let mut wrong: Vec<String> = missing.map(|part| format!("{about}: {part:?} is not in\n{message}")).collect();
+    if message.len() >= 2000 {
+        wrong.push(format!("{about}, {parts:?}: {} bytes of message", message.len()));
     }
-    assert!(message.len() < 2000, "{about}, {parts:?}: {} bytes of message", message.len());
+    wrong
 }
 
 fn refusal(file: &str, text: &str, overrides: &[String]) -> Option<String> {
@@ -116,24 +123,28 @@ fn refusal(file: &str, text: &str, overrides: &[String]) -> Option<String> {
 
 #[test]
 fn invalid_scenarios_are_refused_with_advice() {
+    let mut wrong = Vec::new();
     for case in all().iter().filter(|case| case.command.is_none()) {
         assert_eq!(refusal(&case.file, &(case.text() + &case.to_be_good), &[]), None, "{}", case.about);
         for change in case.changes() {
             let message = refusal(&case.file, &change.text, &change.overrides);
             let message = message.unwrap_or_else(|| panic!("{}, {:?}: accepted", case.about, change.parts));
-            assert_says(&message, change.parts, &case.about);
+            wrong.extend(missing_parts(&message, change.parts, &case.about));
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }
 
 #[test]
 fn wrong_request_is_refused_without_output() {
+    let mut wrong = Vec::new();
     for case in all().iter().filter(|case| case.command.is_some()) {
         for change in case.changes() {
             let message = case.message(&change, change.command.as_ref().unwrap());
-            assert_says(&message, change.parts, &case.about);
+            wrong.extend(missing_parts(&message, change.parts, &case.about));
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }
 
 /// The command says of a scenario what the library says: one entry of each kind.

@@ -117,7 +117,7 @@ fn flow_curve_table_is_read_beside_scenario() {
     let file = desk.path("flow.csv");
     fs::write(&file, "# steel\nplastic_strain, stress_Pa\n0.002, 350e6\n0.01, 400e6\n").unwrap();
     let (_, said) = desk.run_expecting(&["run", "s.toml", "--out", "o", "--pictures", "none"], 0);
-    assert!(said.contains("the flow curve ends at a plastic strain of 0.01"), "{said}");
+    assert!(said.contains("The flow curve ends at a plastic strain of 0.01"), "{said}");
 }
 
 #[test]

@@ -97,8 +97,8 @@ fn signals_between_slow_rows_are_reported_correctly() {
     let signals = [("-INT", 130), ("-TERM", 143)];
     for (format, (signal, want)) in FORMATS.into_iter().flat_map(|format| signals.map(|signal| (format, signal))) {
         for (points, rows, folder, says) in [
-            (20_000, Some(1250), "out", "the same command starts anew"),
-            (100_000_000, None, "out/parts", "goes on from the parts that are whole"),
+            (20_000, Some(1250), "out", "Run the same command again"),
+            (100_000_000, None, "out/parts", "again to resume"),
         ] {
             let desk = Sandbox::with(format!(
                 "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 20000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = {points} }}\n"

@@ -14,7 +14,7 @@ MAX_DEPTH = 16
 
 def reject_units_and_masks(value, place):
     """Refuses arrays with units and masked arrays, because NumPy would drop units and mask without a warning."""
-    unit = 'a unit of its own; give plain numbers in SI, or a text such as "5 mm"'
+    unit = 'units; pass plain numbers in SI, or a string such as "5 mm"'
     for name, what in [("units", unit), ("unit", unit), ("mask", "a mask; leave the masked values out")]:
         if hasattr(value, name) and not callable(getattr(value, name)):
             raise TypeError(f"{place}: the value has {what}")
@@ -38,7 +38,7 @@ def scenario_of(tables):
     plain, rest, overrides = [], [], []
     for name, value in tables.items():
         if not isinstance(name, str):
-            raise TypeError("a key is a text, and one of these is none")
+            raise TypeError("keys must be strings")
         text = toml(value, name)
         if isinstance(value, Mapping):
             rest += [f"[{key(name)}]", *(f"{key(inner)} = {toml(value[inner], f'{name}.{inner}')}" for inner in value)]

@@ -17,9 +17,9 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
   let values = {};
 
   const keys = element("span");
-  const open = element("button", { type: "button" }, "Open the text");
+  const open = element("button", { type: "button" }, "Open the scenario file");
   open.addEventListener("click", openText);
-  const elsewhere = element("p", { id: "elsewhere", hidden: true }, "In the text alone: ", keys, ". ", open);
+  const elsewhere = element("p", { id: "elsewhere", hidden: true }, "Keys without a form field: ", keys, ". ", open);
   form.append(elsewhere);
 
   // a material takes the place of the numbers that it has; a material that is taken away leaves its numbers

@@ -43,7 +43,7 @@ function rounded(cell) {
 function list(lines) {
   const is = (quiet) => ([name]) => QUIET.includes(name) === quiet;
   const [shown, folded] = [false, true].map((quiet) => lines.filter(is(quiet)));
-  const more = folded.length > 0 ? [element("details", element("summary", "How exact"), pairs(folded))] : [];
+  const more = folded.length > 0 ? [element("details", element("summary", "Numerical accuracy"), pairs(folded))] : [];
   return [pairs(shown), ...more];
 }
 

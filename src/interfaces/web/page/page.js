@@ -122,7 +122,7 @@ async function copyLink() {
   } catch {
     // a page that is not sent over https has no clipboard, and a user may refuse it
     const missing = isTooLong() ? " The measurements are too long for a link: send their file too." : "";
-    byId("told").textContent = `The browser does not let the page copy. Copy the link from this field:${missing}`;
+    byId("told").textContent = `Clipboard access was denied. Copy the link here:${missing}`;
     Object.assign(byId("address"), { hidden: false, value: location.href }).select();
   }
 }

@@ -51,7 +51,7 @@ function startWorker() {
     event.preventDefault();
     failures += 1;
     // a file that cannot be loaded has no message
-    const error = `the program has an error: ${event.message ?? "its files cannot be loaded; is the server there?"}`;
+    const error = `internal error: ${event.message ?? "its files cannot be loaded; is the server there?"}`;
     if (failures < MAX_FAILURES) {
       startWorker();
       done({ error, details: {} });

@@ -39,6 +39,6 @@ export function showResults({ kind, warnings, text, contradiction, files, curve 
 /** Marks the results as those of a scenario before the one that was refused. */
 export function markStale() {
   byId("results").classList.add("old");
-  byId("state").textContent = hasResults ? "Refused; the results are older." : "The scenario is refused.";
+  byId("state").textContent = hasResults ? "Invalid scenario; showing previous results." : "Invalid scenario.";
   byId("state").classList.add("refused");
 }

@@ -51,7 +51,7 @@ export function makeRow(first, materials, changed) {
   function add(other) {
     fields.push(other);
     if (!names) {
-      names = element("select", { className: "names", ariaLabel: `${first.title}, or what stands in its place` });
+      names = element("select", { className: "names", ariaLabel: `${first.title}, or alternative key` });
       names.append(new Option(short(first), first.path));
       label.replaceWith(names);
       names.addEventListener("change", () => {
@@ -103,7 +103,7 @@ function short({ path, title }) {
 
 function choice({ words, default: otherwise }) {
   const select = element("select");
-  select.append(new Option(otherwise ? `${otherwise} (if nothing is chosen)` : "–", ""));
+  select.append(new Option(otherwise ? `${otherwise} (default)` : "–", ""));
   for (const word of words) select.append(new Option(word));
   return select;
 }

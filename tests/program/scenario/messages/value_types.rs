@@ -64,7 +64,7 @@ fn no_word_of_the_parser_reaches_a_user() {
 #[test]
 fn too_many_steps_does_not_suggest_same_method() {
     let message = IntegrationError::TooManySteps { steps: 9 }.to_string();
-    assert!(message.contains("loosen the tolerance") && message.contains("\"auto\""), "{message}");
+    assert!(message.contains("Increase solver.tolerance") && message.contains("\"auto\""), "{message}");
     assert!(!message.contains("rk8"), "{message}");
 }
 

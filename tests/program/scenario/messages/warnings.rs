@@ -20,19 +20,19 @@ fn scenarios_with_warnings() -> Vec<(&'static str, String)> {
     let dense = STEEL
         .replace("[sphere]\n", "[sphere]\nyield_strength = 1e10\n")
         .replace(NO_STRENGTH, "yield_strength = 3e8\ndensity = 7850\n");
-    let idle = "law.plm.unloading_exponent is not used";
+    let idle = "law.plm.unloading_exponent has no effect";
     vec![
-        ("contact radius / sphere radius", fast.clone()),
+        ("Contact radius / sphere radius", fast.clone()),
         (idle, format!("{elastic}{law}")),
         ("impact.speed = 60 m/s", format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 60]\n")),
         (idle, format!("{elastic}{law}[sweep]\n\"impact.speed\" = [1, 2]\n")),
-        ("is beyond 0.45", format!("{STEEL}[monte_carlo]\nsamples = 3\n\"impact.speed\" = {{ uniform = [50, 70] }}\n")),
-        ("impact 1: contact radius", format!("{fast}[repeat]\nimpacts = 2\nspot = \"fresh\"\n")),
+        ("exceeds 0.45", format!("{STEEL}[monte_carlo]\nsamples = 3\n\"impact.speed\" = {{ uniform = [50, 70] }}\n")),
+        ("impact 1: Force, dent and e", format!("{fast}[repeat]\nimpacts = 2\nspot = \"fresh\"\n")),
         (idle, format!("{elastic}{law}[repeat]\nimpacts = 2\nspot = \"same\"\n")),
         (idle, format!("{slow}{law}[indentation]\nsteps = [{{ load = 100 }}]\n")),
         ("density", format!("{}[indentation]\nsteps = [{{ load = 100 }}]\n", still(&dense))),
         (
-            "step 1: contact radius / sphere radius",
+            "step 1: Force, dent and e",
             format!(
                 "{}[indentation]\nsteps = [{{ indentation = \"1 mm\" }}]\n",
                 slow.replace("[half_space]\n", "[half_space]\nyield_strength = 345e6\n")
