@@ -152,11 +152,16 @@ fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) ->
             "The plate model does not apply. During the contact a wave travels only {wave_transits:.2} plate thicknesses; below {MIN_WAVE_TRANSITS} the plate acts as a half-space. Remove half_space.thickness."
         )
     });
-    let between = Warning::new_if(!is_thick && wave_transits < least, WarningKind::ModeratelyThickPlate, -wave_transits, || {
-        format!(
-            "e is too high. During the contact a wave travels only {wave_transits:.1} plate thicknesses, and this plate model requires {least}; the plate absorbs more energy than computed, {beyond}."
-        )
-    });
+    let between = Warning::new_if(
+        !is_thick && wave_transits < least,
+        WarningKind::ModeratelyThickPlate,
+        -wave_transits,
+        || {
+            format!(
+                "e is too high. During the contact a wave travels only {wave_transits:.1} plate thicknesses, and this plate model requires {least}; the plate absorbs more energy than computed, {beyond}."
+            )
+        },
+    );
     let ratio = contact_radius / thickness;
     let wide = Warning::new_if(ratio > MAX_CONTACT_OVER_THICKNESS, WarningKind::WideContactOnPlate, ratio, || {
         format!(

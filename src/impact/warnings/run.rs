@@ -56,9 +56,16 @@ pub(super) fn run_warning(impact: &Impact, &Solver { method, tolerance, .. }: &S
     let error = nan_max(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);
     let way_out = "Reduce solver.tolerance or use another method.";
     if method == Method::Verlet {
-        Warning::new_if(balance_error > MAX_BALANCE_ERROR || balance_error.is_nan(), WarningKind::EnergyImbalance, balance_error, || {
-            format!("The numerical error may be large: energy balance error {balance_error:.1e}. {COARSE_STEPS_TEXT}")
-        })
+        Warning::new_if(
+            balance_error > MAX_BALANCE_ERROR || balance_error.is_nan(),
+            WarningKind::EnergyImbalance,
+            balance_error,
+            || {
+                format!(
+                    "The numerical error may be large: energy balance error {balance_error:.1e}. {COARSE_STEPS_TEXT}"
+                )
+            },
+        )
     } else if impact.accuracy.closed_form_restitution.is_nan() {
         let is_open = balance_error > MAX_TOLERANCES_OF_BALANCE * tolerance || balance_error.is_nan();
         Warning::new_if(is_open, WarningKind::EnergyImbalance, balance_error, || {
