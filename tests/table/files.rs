@@ -108,7 +108,7 @@ fn scenarios_share_a_folder_only_with_notice() {
     desk.run_expecting(&["run", "a/s.toml", "--pictures", "svg"], 0);
     let first = desk.read("plots/s/summary.json");
     let message = desk.run_expecting(&["run", "b/s.toml"], 2).1;
-    assert!(message.contains("holds results of a/s.toml, and these are of b/s.toml"), "{message}");
+    assert!(message.contains("contains results of a/s.toml; the current scenario is b/s.toml"), "{message}");
     assert_eq!(desk.read("plots/s/summary.json"), first);
     // an edited scenario and a copy of the scenario are allowed
     fs::write(desk.path("a/s.toml"), STEEL.replace("3 m/s", "2 m/s")).unwrap();
@@ -146,7 +146,7 @@ fn results_of_other_file_stay_for_any_path() {
         let there = desk.read(&format!("{out}/summary.json"));
         let (code, said) = run("", other, out);
         assert!(
-            code == Some(2) && said.contains(&format!("holds results of {one}, and these are of {other}")),
+            code == Some(2) && said.contains(&format!("contains results of {one}; the current scenario is {other}")),
             "{said}"
         );
         assert_eq!(desk.read(&format!("{out}/summary.json")), there);

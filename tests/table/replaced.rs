@@ -223,5 +223,5 @@ fn other_text_of_standard_input_is_named() {
     };
     assert_eq!(piped("1 m/s").0, Some(0));
     let (code, said) = piped("2 m/s");
-    assert!(code == Some(2) && said.contains("w: holds the results of another text from stdin"), "{said}");
+    assert!(code == Some(2) && said.contains("w: contains results of another text from stdin"), "{said}");
 }
