@@ -79,7 +79,7 @@ fn files_of_others_are_replaced_by_force_alone() {
     fs::write(desk.path("out/trace.csv"), "mine").unwrap();
     let arguments = ["run", "s.toml", "--out", "out"];
     let message = desk.run_expecting(&arguments, 2).1;
-    assert!(message.contains("out/trace.csv: exists, and is no result of this program"), "{message}");
+    assert!(message.contains("out/trace.csv: already exists and was not written by this program"), "{message}");
     assert_eq!((desk.read("out/trace.csv"), desk.files("out")), ("mine".to_owned(), vec!["trace.csv".to_owned()]));
     desk.run_expecting(&["run", "s.toml", "--out", "out", "--force"], 0);
     assert!(desk.read("out/trace.csv").starts_with("time_s,"));
@@ -228,7 +228,7 @@ fn signals_stop_other_long_work_without_leftovers() {
         let is_stopped = |output: Output, arguments: &[&str]| {
             let said = text(&output.stderr);
             assert_eq!(output.status.code(), Some(want), "{arguments:?}: {said}");
-            assert_eq!(said, "error: interrupted; nothing was written\n");
+            assert_eq!(said, "error: interrupted; no files were written\n");
             assert!(!desk.path("out").exists(), "{arguments:?}");
         };
         for arguments in [&repeat, &calibrate] {
@@ -247,7 +247,7 @@ fn signals_stop_other_long_work_without_leftovers() {
         bench.current_dir(desk.path("")).env("PLM_IMPACT_TEST_SIGNAL", format!("{number}@1"));
         let output = bench.args(["bench", "--quick", "--out", "out/deep"]).output().unwrap();
         let said = text(&output.stderr);
-        assert!(output.status.code() == Some(want) && said.ends_with("interrupted; nothing was written\n"), "{said}");
+        assert!(output.status.code() == Some(want) && said.ends_with("interrupted; no files were written\n"), "{said}");
         assert!(!desk.path("out").exists());
     }
 }
