@@ -15,6 +15,12 @@ use crate::units::{Dimension, format_input};
 const HARDENED_TOO_LOW_BY: f64 = 0.045;
 /// e from the 0.2 % proof stress of a metal that hardens is too low by at most this fraction.
 const PROOF_TOO_LOW_BY: f64 = 0.37;
+
+/// The true e relative to the computed e, minus 1, if the computed e is too low by a fraction of the true e.
+fn true_over_computed(too_low_by: f64) -> f64 {
+    1.0 / (1.0 - too_low_by) - 1.0
+}
+
 /// No metal that keeps its strength at room temperature has a lower Young's modulus \[Pa\]: magnesium has 41 to 45 GPa, concrete 30, wood
 /// along its fibres up to 15. Tin has 45 GPa, and lead, which creeps, 16.
 const SOFTEST_METAL: f64 = 35e9;
@@ -170,15 +176,15 @@ fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option
         (true, Some(false)) if input.rate(body).is_some() || entry.is_some_and(|entry| entry.rate_rise().is_some()) => {
             None
         }
-        (true, Some(false)) => Some([0.0, HARDENED_TOO_LOW_BY]),
+        (true, Some(false)) => Some([0.0, true_over_computed(HARDENED_TOO_LOW_BY)]),
         // it may be either
-        (true, None) => Some([most, HARDENED_TOO_LOW_BY]),
+        (true, None) => Some([most, true_over_computed(HARDENED_TOO_LOW_BY)]),
         (false, _) => None,
     };
     parts.extend(hardening.map(|ends| ("hardening".to_owned(), Some(ends))));
     let is_proof = kind == Some(StrengthKind::Proof) || may_harden == Some(true);
     if !is_by_hardness && !has_curve && is_proof {
-        parts.push(("proof stress".to_owned(), Some([0.0, PROOF_TOO_LOW_BY])));
+        parts.push(("proof stress".to_owned(), Some([0.0, true_over_computed(PROOF_TOO_LOW_BY)])));
     }
     // a strength given by a number is the strength in the impact, as a note states
     let is_slow = is_by_hardness || has_curve || kind.is_some() || entry.is_some();
