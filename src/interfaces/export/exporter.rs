@@ -175,22 +175,20 @@ impl Exporter<'_> {
     /// Which of the numbers that are called e these lines have.
     fn restitution_note(&self) -> String {
         let contact = &self.contact.contact;
-        let damped = if contact.forces().damping.is_some() { " and its [damping]" } else { "" };
+        let damped = if contact.forces().damping.is_some() { " and [damping]" } else { "" };
         if let Some(plate) = contact.forces().plate {
             let thickness = format_input(plate.thickness, Dimension::Length);
-            return format!(
-                "this e is for a wall that is a plate of {thickness}: what the plate takes{damped} is in it"
-            );
+            return format!("e includes the energy that a plate of {thickness} absorbs{damped}");
         }
         if self.impact.restitution_with_waves().is_some() {
             let alone = self.impact.restitution;
             return format!("e includes radiated waves (thick wall); without them e is {alone:.6}");
         }
         if self.contact.ball.is_some() && damped.is_empty() {
-            return "this e is that of the closing speed of two spheres, without elastic waves in them".to_owned();
+            return "e is the ratio of the relative speeds of two spheres, without elastic waves".to_owned();
         }
         if !damped.is_empty() {
-            return "this e has the [damping] of the scenario in it: let the simulation add no other".to_owned();
+            return "e includes [damping] of the scenario. Do not add other damping in the simulation".to_owned();
         }
         "e is without elastic waves. Set half_space.density for a thick wall, and half_space.thickness for a plate."
             .to_owned()
