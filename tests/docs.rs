@@ -178,7 +178,10 @@ const ERRORS: [(&str, &str); 5] = [
     ("e, exponent 3/2 of the paper", "load cycle: restitution, exponent 3/2"),
     ("e, `\"pressure-shape\"`, metal that strain-hardens", "hardening: restitution, pressure-shape"),
     ("force while the contact loads", "loading: force"),
-    ("dent depth, divided by the largest indentation", "load cycle: residual indentation, deviation over peak indentation"),
+    (
+        "dent depth, divided by the largest indentation",
+        "load cycle: residual indentation, deviation over peak indentation",
+    ),
 ];
 
 /// The cells of the row of a table that begins with this cell.

@@ -87,16 +87,20 @@ impl<'p, 'a> BasinSearch<'p, 'a> {
     }
 }
 
-fn profile_minimum(whole: &CalibrationProblem, thinned: &CalibrationProblem, ranges: &[ShareRange]) -> ParameterPoint {
+fn profile_minimum(
+    whole: &CalibrationProblem,
+    subsampled: &CalibrationProblem,
+    ranges: &[ShareRange],
+) -> ParameterPoint {
     let ranges: Vec<ShareRange> =
         ranges.iter().map(|range| ShareRange { cells: range.cells.min(CELLS_INSIDE), ..*range }).collect();
     let nowhere = || ParameterPoint { shares: ranges.iter().map(|range| range.low).collect(), sum: f64::INFINITY };
-    find_minima(whole, thinned, &ranges, INNER_TOLERANCE).into_iter().next().unwrap_or_else(nowhere)
+    find_minima(whole, subsampled, &ranges, INNER_TOLERANCE).into_iter().next().unwrap_or_else(nowhere)
 }
 
 fn find_minima(
     whole: &CalibrationProblem,
-    thinned: &CalibrationProblem,
+    subsampled: &CalibrationProblem,
     ranges: &[ShareRange],
     exact: f64,
 ) -> Vec<ParameterPoint> {
@@ -111,8 +115,9 @@ fn find_minima(
         ranges
     };
     let nodes = ranges[key].nodes();
-    let sums: Vec<f64> = nodes.par_iter().map(|share| profile_minimum(thinned, thinned, &with(*share)).sum).collect();
-    let place = |share: f64| profile_minimum(whole, thinned, &with(share));
+    let sums: Vec<f64> =
+        nodes.par_iter().map(|share| profile_minimum(subsampled, subsampled, &with(*share)).sum).collect();
+    let place = |share: f64| profile_minimum(whole, subsampled, &with(share));
     let bottom = |[first, last]: [usize; 2]| {
         let [before, after] = [first.saturating_sub(1), (last + 1).min(nodes.len() - 1)].map(|at| nodes[at]);
         if first == last {

@@ -217,7 +217,7 @@ fn plate_and_damping_are_in_e() {
     assert!((run - line).abs() < 1e-8 && text.contains("a plate of 5 mm"), "{run} {line} {text}");
     let damped = crate::common::STEEL.to_owned() + "[damping]\nviscous = 0.1\n";
     let (run, line, text) = both(&damped, "restitution", &[]);
-    assert!((run - line).abs() < 1e-8 && text.contains("[damping] of the scenario in it"), "{run} {line} {text}");
+    assert!((run - line).abs() < 1e-8 && text.contains("e includes [damping] of the scenario"), "{run} {line} {text}");
 }
 
 /// Gravity, air, series, angle and spin are of the motion, which the other code has itself: the e is that of the speed normal to

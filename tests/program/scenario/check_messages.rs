@@ -25,7 +25,7 @@ struct ExpectedCheck {
     shown: Vec<Vec<String>>,
 }
 
-/// What is wrong with a text by an entry.
+/// The error of a text according to one entry, if any.
 fn wrong_words(about: &str, said: &str, entry: &[String]) -> Vec<String> {
     let wrong = |words: &String| {
         if let Some(first) = words.strip_prefix('^') {

@@ -104,7 +104,7 @@ fn assert_says(message: &str, parts: &[String], about: &str) {
     assert_eq!(missing_parts(message, parts, about), Vec::<String>::new());
 }
 
-/// What a message lacks.
+/// The parts that are missing in a message.
 fn missing_parts(message: &str, parts: &[String], about: &str) -> Vec<String> {
     let missing = parts.iter().filter(|part| !message.contains(*part));
     let mut wrong: Vec<String> = missing.map(|part| format!("{about}: {part:?} is not in\n{message}")).collect();
