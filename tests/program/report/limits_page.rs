@@ -114,11 +114,15 @@ fn other_texts_repeat_limits_of_contact_radius() {
     let (flat, hardening, ball, both) = (of_half_space(), with_hardening(), of_ball(), of_both());
     for (page, sentence) in [
         ("src/contact/law/facts.csv", format!("a/R <= {flat} ({hardening} with hardening)")),
+        (
+            "src/registry.md",
+            format!("radius of {flat} R ({hardening} R with hardening, {ball} R if the sphere yields)"),
+        ),
         ("scenarios/README.md", format!("| a/R = {ball} ({flat} for a half-space) |")),
         ("scenarios/README.md", format!("| a/R = {both} (the split between dent and flat: 0.11) |")),
         ("scenarios/README.md", format!("Validated up to a/R = {hardening}.")),
     ] {
-        assert!(read(page).contains(&sentence), "{page} lacks: {sentence}");
+        assert!(read(page).replace('\n', " ").contains(&sentence), "{page} lacks: {sentence}");
     }
     // no page states any other limit of the contact radius
     for page in
