@@ -69,19 +69,33 @@
 //! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!
-//! **Laws.** [`LawChoice`] has the PLM and the published laws, by the names of `plm-impact laws`:
+//! **Laws.** [`LawChoice`] has the PLM and the published laws, by the names of `plm-impact laws`. [`Plm`] has an exponent of unloading and
+//! flow curves, and [`laws`] converts a hardness:
 //!
 //! ```
-//! # use plm_impact::{Contact, HalfSpace, Material, Sphere};
+//! # use plm_impact::{Contact, HalfSpace, Material, Plm, Sphere};
 //! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! # let half_space = HalfSpace::flat(steel, Some(345e6));
 //! use plm_impact::LawChoice;
+//! use plm_impact::contact::strength::flow_curve::FlowCurve;
+//! use plm_impact::laws::UnloadingExponent;
+//! use plm_impact::laws::plm::hardness_test::strength_of_hardness;
 //!
 //! let thornton = LawChoice::from_name("thornton").ok_or("no such law")?;
 //! let contact = Contact::try_new(sphere, half_space, thornton.as_contact_law())?;
 //! let (slow, fast) = (contact.closed_form(0.1)?, contact.closed_form(10.0)?);
 //! assert!(slow.restitution > fast.restitution);
+//!
+//! // closest to finite elements; the half-space hardens with N = 0.1
+//! let flow = [None, Some(FlowCurve::Power { exponent: 0.1 })];
+//! let law = Plm { exponent: UnloadingExponent::PressureShape, flow, ..Plm::default() };
+//! let hardening = Contact::try_new(sphere, half_space, &law)?.closed_form(3.0)?;
+//! assert!(hardening.restitution > 0.55);
+//!
+//! // a mean pressure of 3 GPa in a hardness test
+//! let strength = strength_of_hardness(3e9, None, &steel);
+//! assert!((2.3..3.0).contains(&(3e9 / strength)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -108,12 +122,19 @@
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! # let half_space = HalfSpace::flat(steel, Some(345e6));
 //! use plm_impact::Approach;
-//! use plm_impact::impact::{Damping, Forces, Incidence};
+//! use plm_impact::impact::{Damping, Forces, Incidence, Plate, PlateTheory};
 //!
 //! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //! let forces = Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.1)), ..Forces::default() };
 //! let damped = contact.clone().with_forces(forces).impact(3.0, &Solver::default(), None)?;
 //! assert!(damped.restitution < contact.closed_form(3.0)?.restitution);
+//!
+//! // a plate of 5 mm absorbs energy; its target needs a density
+//! let target = HalfSpace { density: Some(7850.0), ..half_space };
+//! let plate = Plate { thickness: 5e-3, edge_distance: None, theory: PlateTheory::Zener };
+//! let forces = Forces { plate: Some(plate), ..Forces::default() };
+//! let on_plate = Contact::try_new(sphere, target, &Plm::default())?.with_forces(forces).row(3.0, &Solver::AUTO)?;
+//! assert!(on_plate.restitution < contact.closed_form(3.0)?.restitution);
 //!
 //! // gross sliding at 60° from the normal: the tangential impulse is μ (1 + e) m v_n
 //! let incidence = Incidence { angle: 60_f64.to_radians(), spin: 0.0, friction: 0.1 };

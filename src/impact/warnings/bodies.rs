@@ -150,7 +150,7 @@ pub(crate) fn flow_warnings(pair: &Pair) -> impl Iterator<Item = Warning> + use<
     let ratio = point.map_or(f64::NAN, |point| point.strength / pair.effective_modulus);
     let weak = Warning::new_if(ratio < MIN_FITTED_YIELD_STRAIN, WarningKind::WeakSphere, -ratio, || {
         format!(
-            "The force is up to 7 % and e up to 3 % too low against finite elements: yield strength / effective modulus = {ratio:.2e} of the yielding sphere is below {MIN_FITTED_YIELD_STRAIN:.0e}."
+            "The force is about 6 % and e about 3 % too low against finite elements: yield strength / effective modulus = {ratio:.2e} of the yielding sphere is below {MIN_FITTED_YIELD_STRAIN:.0e}."
         )
     });
     let rigid = Warning::new_if(point.is_some() && is_rigid, WarningKind::RigidFlows, 0.0, || {
