@@ -42,7 +42,7 @@ impl Line {
 
     fn cells(&self, reference: &Self) -> Vec<String> {
         let deviation = 100.0 * (self.restitution / reference.restitution - 1.0);
-        let deviation = if deviation.abs() < 1e-9 { "–".to_owned() } else { signed(deviation) };
+        let deviation = if deviation == 0.0 { "–".to_owned() } else { signed(deviation) };
         let time = self.contact_time.map_or("–".to_owned(), |time| format!("{:.1} µs", 1e6 * time));
         let [force, dent] = [self.peak_force, 1e6 * self.dent_depth].map(three_digits);
         let e = format!("{:.3}", self.restitution);
@@ -51,8 +51,9 @@ impl Line {
 }
 
 fn signed(percent: f64) -> String {
+    let size = format!("{:.1} %", percent.abs());
     let sign = if percent < 0.0 { '−' } else { '+' };
-    format!("{sign}{:.1} %", percent.abs())
+    if size == "0.0 %" { size } else { format!("{sign}{size}") }
 }
 
 fn three_digits(value: f64) -> String {
@@ -64,7 +65,7 @@ fn three_digits(value: f64) -> String {
 /// The bodies of the scenario under a law.
 fn contact_of(law: &dyn ContactLaw) -> Contact {
     let contact = contact(SCENARIO, NO_OVERRIDES);
-    Contact::try_new(*contact.sphere(), contact.half_space().clone(), law).unwrap()
+    Contact::try_new(*contact.sphere(), *contact.half_space(), law).unwrap()
 }
 
 fn by_law(name: &'static str, law: &dyn ContactLaw, speed: f64) -> Line {
@@ -73,6 +74,16 @@ fn by_law(name: &'static str, law: &dyn ContactLaw, speed: f64) -> Line {
 
 fn this_law() -> Plm {
     Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() }
+}
+
+/// This law, with the strength of the half-space given to the sphere.
+fn ball_yields(name: &'static str, speed: f64) -> Line {
+    let contact = contact_of(&this_law());
+    let strength = contact.half_space().yield_strength;
+    let sphere = Sphere { yield_strength: strength, ..*contact.sphere() };
+    let half_space = HalfSpace { yield_strength: None, ..*contact.half_space() };
+    let contact = Contact::try_new(sphere, half_space, &this_law()).unwrap();
+    Line::of(name, &contact.closed_form(speed).unwrap())
 }
 
 /// A spring of two straight lines, k_1 δ and k_2 (δ − δ_0), with the peak force and e of this law at the fitted speed. LIGGGHTS
@@ -161,7 +172,8 @@ fn table(speed: f64) -> String {
     let reference = load_cycle("finite elements, load cycle of equal energy", speed);
     let mut lines = vec![
         by_law("this law (`plm`, `\"pressure-shape\"`)", &this_law(), speed),
-        mdr("LAMMPS, `mdr`", speed),
+        ball_yields("this law, if the ball yields instead of the block", speed),
+        mdr("LAMMPS, `mdr` (the ball yields)", speed),
         by_law("Thornton (`thornton`)", &Thornton::default(), speed),
         spring("spring with constant k_2 (`walton_braun`)", speed, false),
         spring("spring with rising k_2 (LIGGGHTS, `hooke/hysteresis`)", speed, true),
