@@ -37,7 +37,7 @@ fn percent(fraction: f64) -> String {
 
 const ESTIMATE: &str = "warns: force, dent and e are estimates";
 
-/// What is limited, where the limit lies, and what the program does beyond it.
+/// Limited quantity, limit, and reaction of the program beyond the limit.
 fn rows() -> Vec<[String; 3]> {
     let row = |what: &str, limit: String, beyond: &str| [what, &limit, beyond].map(str::to_owned);
     let at_most = |limit: f64| format!("at most {limit}");

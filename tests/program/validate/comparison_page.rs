@@ -10,7 +10,7 @@ use crate::common::prelude::*;
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/comparison.md");
 const SCENARIO: &str = include_str!("../../../scenarios/steel-on-steel.toml");
-/// What LAMMPS computes: `tests/lammps/test_mdr.py` writes and checks it.
+/// Results of LAMMPS; `tests/lammps/test_mdr.py` writes and checks them.
 const MDR: &str = include_str!("../../reference/mdr.csv");
 const SPEEDS: [f64; 3] = [0.3, 3.0, 20.0];
 /// The speed at which the two constants of the springs are fitted.
