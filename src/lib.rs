@@ -12,6 +12,13 @@
 //! Without gravity and damping the impact has a closed form. Tables of e(v) use the closed form, unless they name a method. The
 //! integration of a single impact is compared with it.
 //!
+//! The pages of the package: the [limits of validity and expected errors][limits], the [guide to scenarios][guide] with the choice
+//! of the strength, and the [example scenarios][examples]. Examples in Rust stand [below](#how-to-use-the-library).
+//!
+//! [limits]: https://docs.rs/crate/plm-impact/latest/source/scenarios/trust.md
+//! [guide]: https://docs.rs/crate/plm-impact/latest/source/scenarios/README.md
+//! [examples]: https://docs.rs/crate/plm-impact/latest/source/scenarios/
+//!
 //! # Notation
 //!
 //! | symbol | name in code | unit | meaning |
@@ -39,8 +46,9 @@
 //!
 //! # How to use the library
 //!
-//! Six parts serve a user of the library: the contact of two bodies, its impacts, the laws, the trace of an impact, tables
-//! of many impacts, and numbers with units. All quantities below are in SI units.
+//! These parts serve a user of the library: the contact of two bodies, its impacts, the laws, the trace of an impact, forces and
+//! friction, series of impacts, indentation, the force for a DEM code, tables of many impacts, and numbers with units. All quantities
+//! below are in SI units.
 //!
 //! **A contact and its impacts.** [`contact`] has the bodies and laws, [`impact`] their motion. An impact is integrated or exact:
 //!
@@ -61,19 +69,33 @@
 //! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!
-//! **Laws.** [`LawChoice`] has the PLM and the published laws, by the names of `plm-impact laws`:
+//! **Laws.** [`LawChoice`] has the PLM and the published laws, by the names of `plm-impact laws`. [`Plm`] has an exponent of unloading and
+//! flow curves, and [`laws`] converts a hardness:
 //!
 //! ```
-//! # use plm_impact::{Contact, HalfSpace, Material, Sphere};
+//! # use plm_impact::{Contact, HalfSpace, Material, Plm, Sphere};
 //! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! # let half_space = HalfSpace::flat(steel, Some(345e6));
 //! use plm_impact::LawChoice;
+//! use plm_impact::contact::strength::flow_curve::FlowCurve;
+//! use plm_impact::laws::UnloadingExponent;
+//! use plm_impact::laws::plm::hardness_test::strength_of_hardness;
 //!
 //! let thornton = LawChoice::from_name("thornton").ok_or("no such law")?;
 //! let contact = Contact::try_new(sphere, half_space, thornton.as_contact_law())?;
 //! let (slow, fast) = (contact.closed_form(0.1)?, contact.closed_form(10.0)?);
 //! assert!(slow.restitution > fast.restitution);
+//!
+//! // closest to finite elements; the half-space hardens with N = 0.1
+//! let flow = [None, Some(FlowCurve::Power { exponent: 0.1 })];
+//! let law = Plm { exponent: UnloadingExponent::PressureShape, flow, ..Plm::default() };
+//! let hardening = Contact::try_new(sphere, half_space, &law)?.closed_form(3.0)?;
+//! assert!(hardening.restitution > 0.55);
+//!
+//! // a mean pressure of 3 GPa in a hardness test
+//! let strength = strength_of_hardness(3e9, None, &steel);
+//! assert!((2.3..3.0).contains(&(3e9 / strength)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -90,6 +112,65 @@
 //! let largest = impact.trace.iter().map(|row| row.force).fold(0.0, f64::max);
 //! assert_eq!(largest, impact.peak_force);
 //! # Ok::<(), plm_impact::ImpactError>(())
+//! ```
+//!
+//! **Forces and friction.** [`Forces`](impact::Forces) adds gravity, damping or a plate; an [`Approach`] adds angle, spin and friction:
+//!
+//! ```
+//! # use plm_impact::{Contact, HalfSpace, Material, Plm, Solver, Sphere};
+//! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+//! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
+//! # let half_space = HalfSpace::flat(steel, Some(345e6));
+//! use plm_impact::Approach;
+//! use plm_impact::impact::{Damping, Forces, Incidence, Plate, PlateTheory};
+//!
+//! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
+//! let forces = Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.1)), ..Forces::default() };
+//! let damped = contact.clone().with_forces(forces).impact(3.0, &Solver::default(), None)?;
+//! assert!(damped.restitution < contact.closed_form(3.0)?.restitution);
+//!
+//! // a plate of 5 mm absorbs energy; its target needs a density
+//! let target = HalfSpace { density: Some(7850.0), ..half_space };
+//! let plate = Plate { thickness: 5e-3, edge_distance: None, theory: PlateTheory::Zener };
+//! let forces = Forces { plate: Some(plate), ..Forces::default() };
+//! let on_plate = Contact::try_new(sphere, target, &Plm::default())?.with_forces(forces).row(3.0, &Solver::AUTO)?;
+//! assert!(on_plate.restitution < contact.closed_form(3.0)?.restitution);
+//!
+//! // gross sliding at 60° from the normal: the tangential impulse is μ (1 + e) m v_n
+//! let incidence = Incidence { angle: 60_f64.to_radians(), spin: 0.0, friction: 0.1 };
+//! let oblique = contact.impact(Approach { speed: 3.0, incidence: Some(incidence) }, &Solver::default(), None)?;
+//! let normal = contact.closed_form(1.5)?;
+//! let rebound = oblique.rebound.ok_or("no rebound")?;
+//! let tangential = 3.0 * incidence.angle.sin() - 0.1 * (1.0 + normal.restitution) * 1.5;
+//! assert!((rebound.tangential_speed / tangential - 1.0).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **Series, indentation, DEM.** An [`ImpactSeries`](impact::series::ImpactSeries) hits one spot again and again, a
+//! [`StaticContact`](impact::indentation::StaticContact) indents without motion, and [`Contact::force`] with its
+//! [`Memory`](impact::Memory) serves a code that moves the spheres itself:
+//!
+//! ```
+//! # use plm_impact::{Contact, HalfSpace, Material, Plm, Solver, Sphere};
+//! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+//! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
+//! # let half_space = HalfSpace::flat(steel, Some(345e6));
+//! use plm_impact::impact::Memory;
+//! use plm_impact::impact::indentation::{SetPoint, StaticContact};
+//! use plm_impact::impact::series::{ImpactSeries, SeriesMode, SpotMode};
+//!
+//! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
+//! let series = ImpactSeries { spot_mode: SpotMode::Same, mode: SeriesMode::Shots(vec![1.0, 1.0, 2.0]) };
+//! let shots = series.run(&contact, &Solver::AUTO, 10, None)?;
+//! // the second shot stays on the old unloading curve
+//! assert!(shots.impacts[1].restitution > 0.999 && shots.impacts[2].restitution < 0.7);
+//!
+//! let press = StaticContact::try_new(&sphere, &half_space, &Plm::default())?;
+//! let pressed = press.indent(&[SetPoint::Load(100.0), SetPoint::Load(0.0)], None)?;
+//! let mut memory = Memory::default();
+//! let force = contact.force(pressed.steps[0].indentation, &mut memory);
+//! assert!((force / 100.0 - 1.0).abs() < 1e-9 && memory.dent_depth() > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! **A table** of many impacts: a [`scenario`] defines the varied keys, and [`table`] computes the rows.
@@ -122,8 +203,8 @@
 //! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 //!
-//! [`crate::impact::series`] has series of impacts, and [`impact::indentation`] has quasi-static indentations. All other modules serve the
-//! command and the tests. They are public, not described here, and may change at any time; `src/README.md` shows them.
+//! All other modules serve the command and the tests. They are public, not described here, and may change at any time; `src/README.md`
+//! shows them.
 
 // see clippy.toml
 #![warn(clippy::disallowed_methods)]

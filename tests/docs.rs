@@ -17,12 +17,13 @@ use tempfile::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const TUTORIAL: &str = "scenarios/tutorial.md";
-const PAGES: [&str; 16] = [
+const PAGES: [&str; 17] = [
     "README.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
     "src/README.md",
     "scenarios/README.md",
+    "scenarios/comparison.md",
     "scenarios/gallery.md",
     "scenarios/keys.md",
     "scenarios/results.md",

@@ -47,6 +47,7 @@ pub use warnings::bodies::{RESTITUTION_BIAS_TEXT, TOO_HIGH_BY};
 pub(crate) use warnings::bodies::{
     elastic_material_warning, flow_warnings, half_space_warnings, ignored_strength, sphere_warnings, yielding_warning,
 };
+pub use warnings::limits;
 pub(crate) use warnings::{dent_warning, exponent_warning, peak_warnings};
 
 use crate::contact::law::{LoadingHistory, Surface, Unloading};

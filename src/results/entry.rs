@@ -123,35 +123,34 @@ pub fn to_field_list<'a, T: 'a>(results: &[ResultSpec<T>], all: impl IntoIterato
 
 pub(crate) const YIELDS: &str = "a body has a yield strength";
 pub(crate) const REACHES: &str =
-    "a body has a yield strength, and at first yield the contact is narrower than the sphere";
-pub(crate) const RATES: &str = "a strength rises with the rate of strain";
+    "a body has a yield strength, and first yield occurs before the contact is as wide as the sphere";
+pub(crate) const RATES: &str = "a strength depends on the strain rate";
 pub(crate) const FLATTENS: &str = "the sphere has a yield strength";
-pub(crate) const INTERVAL: &str = "a body yields under the law `plm`, with an exponent whose error against finite \
-     elements is known, and no warning reports an error of e of unknown size; in a table also a material by name, a hardness \
+pub(crate) const INTERVAL: &str = "the interval is known: a body yields under the law `plm` with the exponent 3/2 or \
+     `\"pressure-shape\"`, and no warning reports an error of e of unknown size; in a table also a material by name, a hardness \
      or `strength_kind = \"proof\"`";
 pub(crate) const NOTES: &str =
-    "the scenario leaves the kind of the strength or the exponent of the law open, and a body yields";
-pub(crate) const WAVES: &str =
-    "the half-space has a density and no mass; not under damping, on a plate, nor without a rebound";
-pub(crate) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
-pub(crate) const FREE: &str = "the half-space has a mass, and is free to move";
-pub(crate) const STRUCK: &str = "a second ball is hit at an angle, or by a sphere that spins";
-pub(crate) const FLIES: &str = "there is gravity or a drop height";
-pub(crate) const AIR: &str = "there is air";
-pub(crate) const FORCES: &str = "there is gravity, damping or a plate";
-pub(crate) const PLATE: &str = "a plate is hit";
-pub(crate) const GRAVITY: &str = "there is gravity";
-pub(crate) const DAMPING: &str = "there is damping";
-pub(crate) const VISCOUS: &str = "there is viscous damping";
+    "a body yields, and the scenario does not define the kind of the strength or the exponent of the law";
+pub(crate) const WAVES: &str = "the half-space has a density and no mass, the target is no plate, the contact is not damped, and the sphere rebounds";
+pub(crate) const OBLIQUE: &str = "the impact is oblique, or the sphere spins";
+pub(crate) const FREE: &str = "the target has a mass and is free to move";
+pub(crate) const STRUCK: &str = "the target is a second ball, and the impact is oblique or the sphere spins";
+pub(crate) const FLIES: &str = "the scenario has gravity or a drop height";
+pub(crate) const AIR: &str = "the scenario has air";
+pub(crate) const FORCES: &str = "the scenario has gravity, damping or a plate";
+pub(crate) const PLATE: &str = "the target is a plate";
+pub(crate) const GRAVITY: &str = "the scenario has gravity";
+pub(crate) const DAMPING: &str = "the scenario has damping";
+pub(crate) const VISCOUS: &str = "the scenario has viscous damping";
 pub const TABLES: &str = "in tables only";
-pub(crate) const OUTSIDE: &str = "there are such rows";
+pub(crate) const OUTSIDE: &str = "the table has such rows";
 pub(crate) const RANDOM: &str = "the cases are random";
 pub(crate) const NAMED_COLUMNS: &str = "the cases are random, and output names other columns";
 pub(crate) const VERLET: &str = "the method is verlet";
 pub(crate) const BOUNCES: &str = "the sphere bounces under gravity";
-pub(crate) const CAPTURED: &str = "the sphere stays in its dent";
+pub(crate) const CAPTURED: &str = "the sphere is captured";
 pub(crate) const NAMED: &str = "the half-space has a name";
-pub(crate) const GIVEN: &str = "the step is given by it";
+pub(crate) const GIVEN: &str = "the scenario gives it for this step";
 
 /// A list of results from its entries.
 macro_rules! result_specs {

@@ -59,76 +59,75 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
     result_specs! { |series: SeriesReport<'a>|
         /// Number of impacts.
         "impacts" as "impacts": series.sequence.impacts.len();
-        /// Where they hit: `same` or `fresh`.
+        /// Spot of the impacts: `same` or `fresh`.
         "spot" as "{} spot": series.repeat.spot_mode.name();
-        /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
+        /// Reason for the end of the series: `shots`, `impacts`, `until`, `captured` or `in_dent`.
         "ended_by": series.sequence.end.name();
-        /// Why the series ended, as a sentence.
+        /// Reason for the end of the series, as text.
         "end" as "end of series": end_text(series.repeat, series.sequence);
         /// Restitution of the last impact; with waves, if the half-space has a density.
         "final_restitution" as "last restitution": series.last_value(|hit| hit.measured_restitution());
         /// Rebound speed of the last impact.
         "final_rebound_speed_m_per_s" in Speed as "rebound speed {}": series.last_value(|hit| hit.rebound_speed);
-        /// Largest contact force of all impacts.
+        /// Maximum contact force of all impacts.
         "largest_peak_force_N" in Force: series.max_value(|hit| hit.peak_force);
-        /// Largest indentation of all impacts, from the original surface.
+        /// Maximum indentation of all impacts, from the original surface.
         "largest_peak_indentation_m" in Length: series.max_value(|hit| hit.peak_indentation);
-        /// Depth of the deepest dent, with the flat on the sphere.
+        /// Depth of the deepest dent, including the flat on the sphere.
         "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: series.if_yields(series.sequence.deepest_dent());
         /// Gravity.
         "gravity_m_per_s2" in Acceleration if BOUNCES: series.contact.forces().gravity;
-        /// Height of the first fall; `null` where the first speed is given.
+        /// Height of the first fall; `null` if the first speed is given.
         "drop_height_m" in Length if BOUNCES: series.bouncing_settings().map(|(drop_height, ..)| drop_height);
-        /// Largest number of impacts.
+        /// Maximum number of impacts.
         "most_impacts" if BOUNCES: series.bouncing_settings().map(|(_, most, _)| most);
-        /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
+        /// Bouncing ends before an impact that is slower than this speed; `null` without a limit.
         "until_speed_m_per_s" in Speed if BOUNCES: series.bouncing_settings().map(|(.., until)| until);
-        /// Time of the last separation; `null` where the first impact captures the sphere.
+        /// Time of the last separation; `null` if the first impact captures the sphere.
         "last_separation_time_s" in Time as "last separation" if BOUNCES:
             series.bouncing_settings().map(|_| series.sequence.impacts.iter().rev().find_map(SeriesImpact::separation_time));
-        /// Estimate of the time at which the sphere would be at rest, counted as all times of the series: the last separation
-        /// and the remaining time; `null` as that is.
+        /// Estimated time at which the sphere comes to rest: last separation plus remaining time; `null` if the remaining time is
+        /// `null`.
         "rest_time_s" in Time as "time to rest" if BOUNCES: series.bouncing_settings().map(|_| series.sequence.rest_time());
-        /// The part of it after the last separation: an estimate of how long bouncing would still last; `null` if it would
-        /// never end, or if the sphere stays in its dent.
+        /// Estimated time from the last separation to rest; `null` if bouncing never ends, or if the sphere stays in its dent.
         "remaining_time_s" in Time as "{} after the last separation" if BOUNCES:
             series.bouncing_settings().map(|_| series.sequence.remaining_time);
-        /// How the remaining time is estimated.
+        /// Method of the estimate of the remaining time, as text.
         "remaining_time" if BOUNCES: series.bouncing_settings().map(|_| REMAINING_TIME_TEXT);
         /// Highest rebound over the original surface.
         "highest_rebound_m" in Length if BOUNCES: series.bouncing_settings().map(|_| {
             let flights = series.sequence.impacts.iter().filter_map(|hit| hit.flight);
             flights.map(|flight| flight.apex_height()).reduce(nan_max)
         });
-        /// How far along the surface the last impact is from the first.
+        /// Distance along the surface from the first impact to the last.
         "path_m" in Length as "path" if OBLIQUE:
             series.sequence.impacts.last().filter(|hit| hit.tangential_speed().is_some()).map(|hit| hit.position);
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" in Length as "final indentation" if CAPTURED:
             series.bouncing_settings().and_then(|_| series.sequence.impacts.last()?.forces_value(|forces| forces.static_indentation));
-        /// Kinetic energy at the first touch.
+        /// Kinetic energy at the first contact.
         "energy.first_kinetic_in_J" in Energy: series.first_value(|hit| hit.kinetic_in);
         /// Kinetic energy after the last impact.
         "energy.last_recovered_J" in Energy: series.last_value(|hit| hit.energy.recovered);
         /// Energy radiated as elastic waves.
         "energy.waves_J" in Energy if WAVES:
             series.sequence.impacts.iter().filter_map(SeriesImpact::radiated_energy).reduce(|all, one| all + one);
-        /// Energy spent on dents.
+        /// Plastic work of all impacts.
         "energy.plastic_J" in Energy if YIELDS: series.if_yields(series.sequence.impacts.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
-        /// Energy that the plate has taken in all impacts.
+        /// Energy that the plate absorbed in all impacts.
         "energy.plate_J" in Energy if PLATE: series.plate_energy();
-        /// Energy that friction has taken in all impacts.
+        /// Energy that friction absorbed in all impacts.
         "energy.friction_J" in Energy if OBLIQUE:
             series.sequence.impacts.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
-        /// Largest error of the energy balance of any impact.
+        /// Maximum error of the energy balance of all impacts.
         "energy.balance_error" in Error as "energy balance error": series.sequence.max_balance_error();
-        /// Impacts that the trace has: the first ones of a long series.
+        /// Number of impacts in the trace: the first impacts of a long series.
         "traced_impacts": series.sequence.traced_impacts.len();
-        /// Where the scene, the model or the run is doubtful.
+        /// Warnings about scenario, model and run.
         "warnings": series.warnings.to_vec();
         /// Effective modulus E* of the pair of bodies.
         "effective_modulus_Pa" in Pressure: series.contact.pair().effective_modulus;
-        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
+        /// Fraction of the elastic approach in the sphere; 0 for a rigid sphere.
         "sphere_compliance": series.contact.pair().sphere_compliance;
         /// Mass of the sphere.
         "sphere_mass_kg" in Mass: series.contact.mass();
@@ -157,55 +156,55 @@ pub fn impact_columns() -> Vec<ResultSpec<(usize, SeriesImpact)>> {
     result_specs! { |row: (usize, SeriesImpact)|
         /// Number of the impact, from 1.
         "impact" as "impact": row.0;
-        /// Time of first touch: since the release of the sphere, or since the first touch where no height is given.
+        /// Time of first contact, since the release of the sphere; without a drop height, since the first contact of the series.
         "time_s" in Time as "time" if BOUNCES: row.1.time;
-        /// Place of the impact along the surface, from the first.
+        /// Distance of the impact from the first impact, along the surface.
         "position_m" in Length as "place" if OBLIQUE: row.1.tangential_speed().map(|_| row.1.position);
-        /// Speed at first touch, normal to the half-space.
+        /// Normal speed at first contact.
         "impact_speed_m_per_s" in Speed as "speed": row.1.speed;
-        /// Speed of the sphere along the half-space at first touch.
+        /// Tangential speed of the sphere at first contact.
         "tangential_speed_m_per_s" in Speed as "along" if OBLIQUE: row.1.tangential_speed();
-        /// Spin of the sphere at first touch; positive for rolling forward.
+        /// Spin of the sphere at first contact; positive for rolling forward.
         "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.incidence.map(|incidence| incidence.spin);
-        /// Rebound speed over impact speed by the law; 0 if captured.
+        /// Coefficient of restitution by the law; 0 if captured.
         "restitution" as "e": row.1.restitution;
-        /// Restitution after the waves have taken their energy.
+        /// Restitution reduced by the energy of elastic waves.
         "restitution_with_waves" as "with waves" if WAVES: row.1.restitution_with_waves();
-        /// Speed with which the flight begins: with waves, if the half-space has a density.
+        /// Rebound speed at the start of the flight; with waves if the half-space has a density.
         "rebound_speed_m_per_s" in Speed as "rebound": row.1.rebound_speed;
-        /// Speed of the sphere along the half-space with which the flight begins.
+        /// Tangential speed of the sphere at the start of the flight.
         "rebound_tangential_speed_m_per_s" in Speed if OBLIQUE: row.1.rebound.map(|after| after.tangential_speed);
         /// Spin of the sphere in the flight.
         "rebound_spin_rad_per_s" in AngularSpeed if OBLIQUE: row.1.rebound.map(|after| after.spin);
-        /// Largest contact force.
+        /// Maximum contact force.
         "peak_force_N" in Force as "peak force": row.1.peak_force;
-        /// Largest indentation, from the original surface.
+        /// Maximum indentation, from the original surface.
         "peak_indentation_m" in Length as "peak depth": row.1.peak_indentation;
-        /// Depth of the dent afterwards, with the flat on the sphere.
+        /// Depth of the dent after the impact, including the flat on the sphere.
         "residual_indentation_m" in Length as "dent" if YIELDS: row.1.energy.plastic.map(|_| row.1.residual_indentation);
-        /// How much deeper this impact made the dent.
+        /// Increase of the dent depth by this impact.
         "dent_growth_m" in Length as "growth" if YIELDS: row.1.energy.plastic.map(|_| row.1.dent_growth);
-        /// Time from first touch to separation; empty if captured.
+        /// Time from first contact to separation; empty if captured.
         "contact_time_s" in Time as "contact": row.1.contact_time;
-        /// Kinetic energy at first touch.
+        /// Kinetic energy at first contact.
         "kinetic_in_J" in Energy: row.1.kinetic_in;
-        /// Kinetic energy with which the flight begins.
+        /// Kinetic energy at the start of the flight.
         "recovered_J" in Energy: row.1.energy.recovered;
         /// Energy radiated as elastic waves.
         "waves_J" in Energy if WAVES: row.1.radiated_energy();
-        /// Energy spent on the dent.
+        /// Plastic work.
         "plastic_J" in Energy if YIELDS: row.1.energy.plastic;
-        /// Energy in the plate at separation, or where the computation of a captured sphere ends.
+        /// Energy in the plate at separation, or at the end of the computation of a captured sphere.
         "plate_J" in Energy if PLATE: row.1.plate_energy();
-        /// Energy taken by damping.
+        /// Energy absorbed by damping.
         "damping_J" in Energy if DAMPING: row.1.forces_value(|forces| forces.damping_loss);
-        /// Energy taken by friction.
+        /// Energy absorbed by friction.
         "friction_J" in Energy if OBLIQUE: row.1.oblique.map(|friction| friction.loss);
-        /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
+        /// Elastic energy left in the contact if the sphere separates before the contact has recovered.
         "stored_at_separation_J" in Energy if VISCOUS: row.1.forces_value(|forces| forces.stored_at_separation);
-        /// Kinetic and elastic energy where the computation of a captured sphere ends.
+        /// Kinetic and elastic energy at the end of the computation of a captured sphere.
         "remaining_J" in Energy if CAPTURED: row.1.forces_value(|forces| forces.remaining_energy);
-        /// Work of gravity since first touch.
+        /// Work of gravity since first contact.
         "gravity_work_J" in Energy if GRAVITY: row.1.forces_value(|forces| forces.gravity_work);
         /// Error of the energy balance.
         "energy_balance_error" in Error: row.1.energy.balance_error;
@@ -228,11 +227,11 @@ pub struct SeriesTraceRow {
 /// The columns of the `trace.csv` of a series.
 pub fn trace_columns() -> Vec<ResultSpec<SeriesTraceRow>> {
     result_specs! { |row: SeriesTraceRow|
-        /// Number of the impact that the row belongs to or follows; 0 during the fall before the first.
+        /// Number of the current or previous impact; 0 during the first fall.
         "impact": row.impact;
-        /// Time of the series for a bouncing sphere; for shots, time since each first touch.
+        /// Time since the start of the series; for given speeds, time since each first contact.
         "time_s" in Time: row.time;
-        /// Place along the surface, from the first impact.
+        /// Distance from the first impact, along the surface.
         "position_m" in Length if OBLIQUE: row.position;
         /// Height of the lowest point of the sphere over the original surface; negative in contact.
         "height_m" in Length: row.height;
@@ -242,7 +241,7 @@ pub fn trace_columns() -> Vec<ResultSpec<SeriesTraceRow>> {
         "force_N" in Force: row.force;
         /// Branch of the law, or `flight`.
         "branch": row.branch;
-        /// The event in this row, if there is one, as in the trace of one impact; `release` where a fall begins.
+        /// Event in this row, as in the trace of one impact; `release` at the start of a fall.
         "event": row.event;
     }
 }

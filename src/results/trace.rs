@@ -6,35 +6,34 @@ use crate::impact::{Event, FrictionState, TraceRow};
 /// The columns, in their order.
 pub fn trace_results() -> Vec<ResultSpec<TraceRow>> {
     result_specs! { |row: TraceRow|
-        /// Time since first touch.
+        /// Time since first contact.
         "time_s" in Time: row.time;
-        /// How far the sphere's centre has come closer to the half-space.
+        /// Indentation: approach of the two bodies.
         "indentation_m" in Length: row.indentation;
-        /// The sphere's own share of the indentation, with the flat that it keeps.
+        /// Part of the indentation in the sphere, including its permanent flat.
         "sphere_indentation_m" in Length: row.sphere_indentation;
-        /// The half-space's share of the indentation.
+        /// Part of the indentation in the half-space.
         "half_space_indentation_m" in Length: row.half_space_indentation;
         /// Speed into the half-space; negative during the rebound.
         "speed_m_per_s" in Speed: row.speed;
-        /// Speed of the sphere's centre, which is the sum of the speed into the plate and of the plate's own.
+        /// Speed of the sphere's centre: speed into the plate plus speed of the plate.
         "sphere_speed_m_per_s" in Speed if PLATE: row.sphere_speed;
-        /// Force on the sphere, with what damping adds.
+        /// Force on the sphere, including damping.
         "force_N" in Force: row.force;
         /// Force of the contact law alone.
         "elastic_force_N" in Force if DAMPING: row.elastic_force;
-        /// Slip speed of the contact point: speed of the centre along the half-space less radius times spin.
+        /// Slip speed of the contact point: tangential speed of the centre minus radius times spin.
         "slip_speed_m_per_s" in Speed if OBLIQUE: friction_value(row, |friction| friction.slip_speed);
-        /// Friction on the sphere; negative against its path.
+        /// Friction force on the sphere; negative against its path.
         "friction_force_N" in Force if OBLIQUE: friction_value(row, |friction| friction.friction_force);
-        /// Speed of the centre along the half-space.
+        /// Tangential speed of the centre.
         "tangential_speed_m_per_s" in Speed if OBLIQUE: friction_value(row, |friction| friction.tangential_speed);
         /// Spin; positive for rolling forward.
         "spin_rad_per_s" in AngularSpeed if OBLIQUE: friction_value(row, |friction| friction.spin);
         /// Branch of the law: `elastic`, `plastic`, `reloading` or `unloading`.
         "branch": row.branch.name();
-        /// The event in this row, if there is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `relaxation` of a
-        /// strength that depends on the rate, `separation`
-        /// or `captured`.
+        /// Event in this row: `touch`, `yield`, `knot` (segment boundary of the loading curve), `peak`, `relaxation` (of a strength
+        /// that depends on the strain rate), `separation` or `captured`; empty in other rows.
         "event": event_name(row.event);
     }
 }

@@ -35,12 +35,20 @@ fn closest_match<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) 
     if let (false, Some(only), None) = (word.is_empty(), longer.next(), longer.next()) {
         return Some(only);
     }
-    candidates
-        .into_iter()
-        .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), candidate))
-        .filter(|(distance, candidate)| 3 * distance <= candidate.chars().count().max(3))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, candidate)| candidate)
+    let errors = |candidate: &str| {
+        let (own, other) = without_shared_table(&lower, candidate);
+        let distance = strsim::osa_distance(own, &other.to_lowercase());
+        (3 * distance <= other.chars().count().max(3)).then_some(distance)
+    };
+    let near = candidates.into_iter().filter_map(|candidate| Some((errors(candidate)?, candidate)));
+    near.min_by_key(|(distance, _)| *distance).map(|(_, candidate)| candidate)
+}
+
+/// A word and a candidate without the table that both begin with: "yild" and "mass" of "half_space.yild" and "half_space.mass".
+fn without_shared_table<'a>(word: &'a str, candidate: &'a str) -> (&'a str, &'a str) {
+    let split = |name: &'a str| name.rsplit_once('.').map_or(("", name), |(table, own)| (table, own));
+    let ((table, own), (other_table, other)) = (split(word), split(candidate));
+    if table == other_table { (own, other) } else { (word, candidate) }
 }
 
 /// The candidates of which `word` is a part, or that have all of its parts, or nearly so: "aluminum" and "6061-aluminium" of
@@ -104,8 +112,9 @@ pub fn known_names(word: &str, names: &[&str], kind: &str) -> String {
     // a key without its table is near to the key with it
     let distance =
         |name: &str| strsim::osa_distance(&lower, &name.to_lowercase()).min(strsim::osa_distance(&lower, &ends(name)));
+    let related = related_names(word, names);
     let mut sorted = names.to_vec();
-    sorted.sort_by_key(|name| distance(name));
+    sorted.sort_by_key(|name| (!related.contains(name), distance(name)));
     format!("the nearest of {} {kind} are {}", names.len(), sorted[..NEAREST].join(", "))
 }
 
@@ -122,5 +131,29 @@ pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str
             let some: Vec<String> = some.iter().map(|one| format!("{mark}{one}{mark}")).collect();
             format!(", did you mean one of {}?", some.join(", "))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shared_table_does_not_make_keys_alike() {
+        let keys = ["half_space.mass", "half_space.yield_strength", "half_space.radius"];
+        let message = did_you_mean("half_space.yild", keys, '`', "keys are");
+        assert_eq!(message, ", did you mean `half_space.yield_strength`? Keys are");
+        let message = did_you_mean("half_space.radus", keys, '`', "keys are");
+        assert_eq!(message, ", did you mean `half_space.radius`? Keys are");
+    }
+
+    #[test]
+    fn five_nearest_of_many_names_are_listed() {
+        let names: Vec<String> =
+            (0..61).map(|i| format!("half_space.key_{i}")).chain(["half_space.yield_strength".to_owned()]).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let listed = known_names("half_space.yild", &names, "keys");
+        assert!(listed.starts_with("the nearest of 62 keys are half_space.yield_strength, "), "{listed}");
+        assert_eq!(listed.matches(", ").count(), 4, "{listed}");
     }
 }

@@ -18,3 +18,15 @@ pub fn assert_golden(path: &Path, made: impl AsRef<[u8]>) {
     }
     assert!(fs::read(path).unwrap() == made, "{} is stale: UPDATE=1 cargo test writes it anew", path.display());
 }
+
+/// Asserts that the part of a page between its two comments (`<!-- limits: written by a test -->`, `<!-- end of limits -->`) is what
+/// was just made, or writes the part anew.
+#[track_caller]
+#[allow(dead_code)] // tests/capi.rs has no page with parts
+pub fn assert_golden_part(page: &Path, name: &str, made: &str) {
+    let [begin, end] = [format!("<!-- {name}: written by a test -->\n"), format!("<!-- end of {name} -->")];
+    let text = fs::read_to_string(page).unwrap();
+    let (before, rest) = text.split_once(&begin).unwrap();
+    let (_, after) = rest.split_once(&end).unwrap();
+    assert_golden(page, format!("{before}{begin}\n{made}\n{end}{after}"));
+}

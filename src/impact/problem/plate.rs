@@ -53,7 +53,7 @@ named_enum! {
 }
 
 /// The largest λ with a result: e is below 3e-7 there.
-const MAX_ZENER_NUMBER: f64 = 20.0;
+pub const MAX_ZENER_NUMBER: f64 = 20.0;
 
 /// Why an impact on a plate is not possible.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]

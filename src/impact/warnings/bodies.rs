@@ -1,6 +1,7 @@
 //! Warnings about the bodies: numbers that hardly any body has, a sphere that yields, and results that do not fit the named
 //! materials. Only metals yield in the laws, and the law of a hardening metal needs more than the hardness.
 
+use super::limits::MIN_FITTED_YIELD_STRAIN;
 use crate::contact::body::{HalfSpace, Material};
 use crate::contact::law::Law;
 use crate::contact::pair::Pair;
@@ -142,9 +143,6 @@ pub(crate) fn yielding_warning(pressure: f64, left_out: Option<([&str; 2], f64)>
     Some(Warning::new(WarningKind::SphereYields, ratio, text))
 }
 
-/// The smallest σ_Y/E* of a yielding ball in the finite elements.
-const MIN_FITTED_YIELD_STRAIN: f64 = 5e-4;
-
 /// The warnings for a yielding sphere that is weaker than any in the finite elements, or rigid.
 pub(crate) fn flow_warnings(pair: &Pair) -> impl Iterator<Item = Warning> + use<> {
     let is_rigid = pair.sphere_compliance == 0.0;
@@ -152,7 +150,7 @@ pub(crate) fn flow_warnings(pair: &Pair) -> impl Iterator<Item = Warning> + use<
     let ratio = point.map_or(f64::NAN, |point| point.strength / pair.effective_modulus);
     let weak = Warning::new_if(ratio < MIN_FITTED_YIELD_STRAIN, WarningKind::WeakSphere, -ratio, || {
         format!(
-            "The force is up to 7 % and e up to 3 % too low against finite elements: yield strength / effective modulus = {ratio:.2e} of the yielding sphere is below {MIN_FITTED_YIELD_STRAIN:.0e}."
+            "The force is about 6 % and e about 3 % too low against finite elements: yield strength / effective modulus = {ratio:.2e} of the yielding sphere is below {MIN_FITTED_YIELD_STRAIN:.0e}."
         )
     });
     let rigid = Warning::new_if(point.is_some() && is_rigid, WarningKind::RigidFlows, 0.0, || {

@@ -1,6 +1,7 @@
 //! Checks of model and run. Each finding is a warning in the result; with `--strict` it is an error.
 
 pub(in crate::impact) mod bodies;
+pub mod limits;
 mod of_balls;
 mod restitution;
 mod run;
@@ -18,6 +19,7 @@ use crate::contact::strength::strain_rate_hardening::RateForm;
 use crate::numerics::root::bisect;
 use crate::units::{Dimension, format_four_digits, format_input, format_percent};
 use bodies::{half_space_warnings, sphere_warnings};
+use limits::{MAX_DUNDURS_BETA, MAX_PLOUGHING_RATIO, MAX_WAVE_LOSS};
 pub use restitution::Bias;
 pub(crate) use restitution::dent_warning;
 use restitution::restitution_warnings;
@@ -108,7 +110,7 @@ pub(super) fn impact_warnings(
 /// The warning for radiated waves that the first order does not hold for.
 fn wave_warning(impact: &Impact) -> Option<Warning> {
     let (loss, recovered) = (impact.wave_loss_fraction?, impact.recovered_fraction());
-    Warning::new_if(loss > 0.2 * recovered, WarningKind::StrongWaves, loss / recovered, || {
+    Warning::new_if(loss > MAX_WAVE_LOSS * recovered, WarningKind::StrongWaves, loss / recovered, || {
         format!(
             "restitution_with_waves is only a rough value. The wave loss ({} of the kinetic energy) is not small compared with the recovered energy ({}).",
             format_percent(loss),
@@ -186,7 +188,7 @@ pub(super) fn oblique_warnings(
 ) -> impl Iterator<Item = Warning> + use<> {
     let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle.abs());
     let ratio = impact.radius_ratio;
-    let is_ploughing = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
+    let is_ploughing = impact.has_dent() && ratio > MAX_PLOUGHING_RATIO && angle > FRAC_PI_4;
     let ploughing = Warning::new_if(is_ploughing, WarningKind::Ploughing, ratio, || {
         format!(
             "Tangential speed and spin are estimates. At contact radius / sphere radius = {ratio:.3} and {:.0} deg from the normal the sphere ploughs; the ploughing force (about {:.0} % of the contact force) is not modelled.",
@@ -204,6 +206,3 @@ pub(super) fn oblique_warnings(
     });
     [ploughing, coupled].into_iter().flatten()
 }
-
-/// Dundurs' β from which on finite elements show that it is neglected.
-const MAX_DUNDURS_BETA: f64 = 0.25;

@@ -3,6 +3,11 @@
 use std::f64::consts::PI;
 
 use super::bodies::{flow_warnings, ignored_strength, material_warnings, yielding_warning};
+use super::limits::{
+    ADHESION_RANGE, MAX_CONTACT_OVER_THICKNESS, MAX_DEFLECTION_OVER_THICKNESS, MAX_MEASURED_ZENER_NUMBER,
+    MAX_UNEQUAL_BALLS_RATIO, MIN_THICK_PLATE_TRANSITS, MIN_THIN_PLATE_TRANSITS, MIN_TRANSITS, MIN_WAVE_TRANSITS,
+    WORK_OF_ADHESION,
+};
 use crate::contact::body::Support;
 use crate::contact::law::Law;
 use crate::contact::pair::Pair;
@@ -12,9 +17,6 @@ use crate::impact::result::row::{ImpactRow, PlateResult};
 use crate::impact::result::warning::{Warning, WarningKind};
 use crate::numerics::functions::pow;
 use crate::units::{Dimension, format_input, format_result};
-
-/// The largest Zener's number up to which contact times on plates were measured, and agree with his theory.
-const MAX_MEASURED_ZENER_NUMBER: f64 = 1.5;
 
 /// The warnings that concern e in an impact with this speed normal to the surface \[m/s\], this peak mean pressure \[Pa\] and this
 /// result.
@@ -79,16 +81,13 @@ pub(crate) fn dent_warning(law: &Law, ratio: f64) -> Option<Warning> {
 
 /// The warning for two balls that both flow and are not equal, with this contact radius over that of the smaller one.
 fn unequal_balls_warning(pair: &Pair, ratio: f64) -> Option<Warning> {
-    let is_doubtful = pair.has_unequal_balls() && ratio > 0.1;
+    let is_doubtful = pair.has_unequal_balls() && ratio > MAX_UNEQUAL_BALLS_RATIO;
     Warning::new_if(is_doubtful, WarningKind::UnequalBalls, ratio, || {
         format!(
             "e has an additional error of 0.5 to 1 %. Both balls yield and are not equal (contact radius = {ratio:.3} times the smaller radius); their indentations are superposed. A sweep shows a step of this size at equal balls."
         )
     })
 }
-
-/// Wave transits of the sphere below which a contact is not quasi-static.
-const MIN_TRANSITS: f64 = 5.0;
 
 /// The warning for a contact so short that the sphere is not quasi-static.
 fn short_contact_warning(contact: &Contact, duration: f64) -> Option<Warning> {
@@ -110,10 +109,6 @@ fn short_contact_warning(contact: &Contact, duration: f64) -> Option<Warning> {
 /// The warning for a speed at which adhesion would take a part of e: below seven times the speed at which a sphere sticks by the
 /// theory of Johnson, Kendall and Roberts, √(14.18/m) (Γ⁵ R⁴/E*²)^(1/6) (Thornton and Ning 1998).
 fn adhesion_warning(contact: &Contact, speed: f64) -> Option<Warning> {
-    /// Γ \[J/m²\].
-    const WORK_OF_ADHESION: f64 = 0.2;
-    /// Multiple of the sticking speed from which on the error of e is below 1 %.
-    const ADHESION_RANGE: f64 = 7.0;
     let (radius, modulus) = (contact.pair().radius, contact.pair().effective_modulus);
     let depth = pow(WORK_OF_ADHESION, 5.0 / 6.0) * pow(radius, 2.0 / 3.0) / pow(modulus, 1.0 / 3.0);
     let sticking = (14.18 / contact.reduced_mass()).sqrt() * depth;
@@ -127,22 +122,19 @@ fn adhesion_warning(contact: &Contact, speed: f64) -> Option<Warning> {
     })
 }
 
-/// Plate thicknesses that a wave travels during the contact, below which a plate acts as a half-space.
-const MIN_WAVE_TRANSITS: f64 = 2.0;
-/// Contact radius over plate thickness, from which on a plate is not as stiff under the sphere as a half-space.
-const MAX_CONTACT_OVER_THICKNESS: f64 = 0.15;
-/// Deflection over plate thickness, from which on a plate also stretches.
-const MAX_DEFLECTION_OVER_THICKNESS: f64 = 0.3;
-
 /// The warnings for a plate, hit with this contact radius \[m\].
 fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) -> impl Iterator<Item = Warning> + use<> {
     let PlateResult { zener_number, wave_transits, displacement, wave_reach, .. } = *on_plate;
     let thickness = plate.thickness;
     let (least, beyond) = match plate.theory {
-        PlateTheory::Thick => (5.0, "by 8 % at 5 thicknesses and by a third at 3. Take e as an upper limit"),
-        PlateTheory::Zener if wave_transits < 5.0 => (10.0, "by half or more. Use half_space.plate = \"thick\""),
+        PlateTheory::Thick => {
+            (MIN_THICK_PLATE_TRANSITS, "by 8 % at 5 thicknesses and by a third at 3. Take e as an upper limit")
+        }
+        PlateTheory::Zener if wave_transits < MIN_THICK_PLATE_TRANSITS => {
+            (MIN_THIN_PLATE_TRANSITS, "by half or more. Use half_space.plate = \"thick\"")
+        }
         PlateTheory::Zener => (
-            10.0,
+            MIN_THIN_PLATE_TRANSITS,
             "by a fifth at 10 thicknesses and by half at 5. Use half_space.plate = \"thick\", whose loss is within 8 %",
         ),
     };

@@ -54,58 +54,58 @@ pub fn calibration_results<'a>() -> Vec<ResultSpec<CalibrationReport<'a>>> {
     result_specs! { |one: CalibrationReport<'a>|
         /// The result for each key, see below.
         "keys": (0..one.calibration.keys.len()).map(|i| json!(to_fields(&key_results(), &KeyResult { number: i, calibration: one.calibration }))).collect::<Vec<_>>();
-        /// Why there is no interval; `null` if there is one.
+        /// Reason why no interval is given; `null` if there is one.
         "refusal": one.calibration.reason_without_intervals.clone();
         /// Correlation of the two keys.
         "correlation": one.calibration.correlation().filter(|_| one.calibration.reason_without_intervals.is_none());
         /// `true` if the law fits, `null` if these measurements cannot tell.
         "fits": one.calibration.verdict().is_compatible();
-        /// Why the law does not fit.
+        /// Reason for the rejection of the law.
         "contradiction": one.calibration.verdict().contradiction_reason();
-        /// Why it cannot be judged whether the law fits, although it is off.
+        /// Reason why the fit of the law cannot be judged, although the misfit is large.
         "undecided": one.calibration.verdict().undecided_reason();
         /// Measured values.
         "values": one.calibration.residuals.len();
-        /// Values without outliers, less the keys.
+        /// Degrees of freedom: values without outliers, minus the number of keys.
         "degrees_of_freedom": one.calibration.degrees_of_freedom;
-        /// Sum of the squares of the residuals over their standard deviations, without outliers.
+        /// Sum of squares of the residuals over their standard deviations, without outliers.
         "chi_square": one.calibration.chi_square;
-        /// That sum over the degrees of freedom: about 1 for a law that fits.
+        /// Chi-square over the degrees of freedom: about 1 if the law fits.
         "chi_square_per_degree_of_freedom": chi_square_per_degree(one.calibration);
-        /// Root mean square of measured less predicted over that of the measured values, of the worst quantity.
+        /// Relative rms misfit of the worst-fitting quantity.
         "misfit": one.calibration.misfit;
-        /// Probability of such a chi-square or a larger one, for a noise that is given.
+        /// p-value of chi-square, for a given noise.
         "p": one.calibration.p;
-        /// Probability of as few runs of equal signs in the residuals, in the order of the speeds.
+        /// p-value of the runs test of the signs of the residuals, ordered by speed.
         "p_of_runs": one.calibration.runs.map(|runs| runs.p);
         /// `given`, `estimated from the residuals`, or `unknown`.
         "noise": noise(one.calibration).0;
-        /// The estimated standard deviation as a share of every value.
+        /// Estimated relative standard deviation of every value.
         "estimated_noise": noise(one.calibration).1;
-        /// Error of the law that was assumed, as a share of every value.
+        /// Assumed relative model error of every value.
         "model_error": one.measured.request.model_error;
         /// `normal`, or `student-t with 4 degrees of freedom`.
         "likelihood": if one.calibration.fit.problem.is_robust { "student-t with 4 degrees of freedom" } else { "normal" };
-        /// Values that count as outliers.
+        /// Number of outliers.
         "outliers": one.calibration.outliers;
-        /// Akaike's information criterion; less is better.
+        /// Akaike's information criterion (AIC); smaller is better.
         "aic": one.calibration.fit.aic;
-        /// Every basin: the values of the keys, and the excess of its sum of squares over the least.
+        /// All local minima: values of the keys, and the excess of the sum of squares over the smallest one.
         "minima": one.calibration.fit.minima.iter().map(|place| basin_fields(one.calibration, place)).collect::<Vec<_>>();
-        /// Singular values of the relative changes of the predictions by those of the keys.
+        /// Singular values of the sensitivities: relative change of the predictions over relative change of the keys.
         "identifiability.singular_values": one.calibration.identifiability.as_ref().map(|found| found.singular_values.clone());
-        /// Relative change of the predictions where one key is doubled and the others go along so that it is least.
+        /// Smallest relative change of the predictions if one key is doubled and the others are refitted.
         "identifiability.change_along_the_weakest_direction": one.calibration.identifiability.as_ref().map(|found| found.change);
-        /// The product of powers of the keys that is known best.
+        /// Product of powers of the keys that is known best.
         "identifiability.best_known_combination":
             one.calibration.identifiability.as_ref().map(|identifiability| combination_text(one.calibration, &identifiability.exponents));
-        /// Its relative standard deviation.
+        /// Relative standard deviation of this product.
         "identifiability.relative_sd_of_that": one.calibration.identifiability.as_ref().map(|found| found.deviation);
-        /// Every law that was asked for, the best first: its AIC, how far that is above the least, its values of the keys.
+        /// All requested laws, the best first: AIC, difference from the smallest AIC, values of the keys.
         "laws": one.calibration.laws.iter().map(|law| law_fields(one.calibration, law)).collect::<Vec<_>>();
-        /// The file of measurements, and
+        /// Name of the file of measurements.
         "data_file": one.measured.sha256.is_some().then(|| file_name(&one.measured.data.name));
-        /// its hash; `null` if the measurements are in the scenario.
+        /// SHA-256 of the file of measurements; `null` if the measurements are in the scenario.
         "data_sha256": one.measured.sha256.clone();
     }
 }
@@ -141,7 +141,7 @@ pub fn key_results<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
     result_specs! { |one: KeyResult<'a>|
         /// Path of the key.
         "key": one.estimate().free.key.path;
-        /// Its name as a column, with the unit of the values.
+        /// Name of the key as a column, with the unit of the values.
         "column": one.estimate().free.key.column_name();
         /// Range that was searched.
         "range": vec![one.estimate().free.from, one.estimate().free.to];
@@ -149,15 +149,15 @@ pub fn key_results<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
         "is_logarithmic": one.estimate().free.is_logarithmic;
         /// Best value.
         "estimate": one.estimate().estimate;
-        /// A hardness on the scale on which the scenario gives it, such as `254.3 HV`; `null` for others.
+        /// Estimate in the hardness scale of the scenario, such as `254.3 HV`; `null` for other keys.
         "estimate_on_its_scale": one.estimate().free.hardness.and_then(|_| one.estimate().free.to_scenario_text(one.estimate().estimate));
         /// Standard deviation; `null` if there is no interval.
         "sd": one.estimate().sd;
-        /// Ends of the interval with a confidence of 68 %; an end that the data do not bound is `null`, as `note` says.
+        /// Ends of the 68 % confidence interval; an unbounded end is `null`, and `note` states the reason.
         "interval_68": one.estimate().intervals.map(|[narrow, _]| interval_json(narrow));
-        /// Ends of the interval with a confidence of 95 %.
+        /// Ends of the 95 % confidence interval.
         "interval_95": one.estimate().intervals.map(|[_, wide]| interval_json(wide));
-        /// The value that shifts the key most: its line, its quantity, and the shift if it were left out.
+        /// Most influential value: its line, its quantity, and the change of the estimate without this value.
         "largest_shift": one.largest_shift();
     }
 }

@@ -13,16 +13,16 @@ pub fn contact_results() -> Vec<ResultSpec<Contact>> {
     result_specs! { |contact: Contact|
         /// Mass of the sphere.
         "sphere_mass_kg" in Mass as "sphere mass": contact.mass();
-        /// Mass of the body that is hit.
+        /// Mass of the target.
         "target_mass_kg" in Mass as "target mass" if FREE: contact.target_mass();
         /// Effective mass of both bodies.
         "effective_mass_kg" in Mass as "effective mass m*" if FREE:
             contact.target_mass().map(|_| contact.reduced_mass());
-        /// Effective radius of both bodies; the radius of the sphere where a flat surface is hit.
+        /// Effective radius of both bodies; for a flat target the radius of the sphere.
         "effective_radius_m" in Length as "effective radius R": contact.pair().radius;
         /// Effective modulus E* of the pair of bodies.
         "effective_modulus_Pa" in Pressure as "effective modulus E*": contact.pair().effective_modulus;
-        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
+        /// Fraction of the elastic approach in the sphere; 0 for a rigid sphere.
         "sphere_compliance" as "compliance fraction of the sphere kappa": contact.pair().sphere_compliance;
         /// Indentation at first yield.
         "yield_indentation_m" in Length as "yield indentation delta_Y" if REACHES:

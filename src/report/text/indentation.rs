@@ -28,9 +28,9 @@ pub fn half_space_results() -> Vec<ResultSpec<SpecimenResult>> {
         "poissons_ratio" as "poissons_ratio": tested.specimen.half_space.material.poissons_ratio;
         /// Yield strength.
         "yield_strength_Pa" in Pressure as "yield_strength" if YIELDS: tested.specimen.half_space.yield_strength;
-        /// Effective modulus E* of the pair of bodies, which a nanoindentation calls the reduced modulus.
+        /// Effective modulus E* of the pair of bodies (reduced modulus in nanoindentation).
         "effective_modulus_Pa" in Pressure as "effective modulus E*": tested.pair.effective_modulus;
-        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
+        /// Fraction of the elastic approach in the sphere; 0 for a rigid sphere.
         "sphere_compliance" as "compliance fraction of the sphere kappa": tested.pair.sphere_compliance;
         /// Indentation at first yield.
         "yield_indentation_m" in Length as "yield indentation delta_Y" if REACHES:
@@ -40,7 +40,7 @@ pub fn half_space_results() -> Vec<ResultSpec<SpecimenResult>> {
             tested.pair.reachable_yield_point().map(|point| point.force);
         /// Work of all steps.
         "work_J" in Energy: tested.indentation.steps.iter().map(|step| step.work).sum::<f64>();
-        /// Energy spent on the dent in all steps.
+        /// Plastic work of all steps.
         "plastic_work_J" in Energy if YIELDS: tested.can_yield.then(|| {
             tested.indentation.steps.iter().map(|step| step.plastic_work).sum::<f64>()
         });
@@ -74,34 +74,34 @@ pub fn step_results<'a>() -> Vec<ResultSpec<StepReport<'a>>> {
             SetPoint::Load(_) => None,
             SetPoint::Indentation(indentation) => Some(indentation),
         };
-        /// Branch of the law at its end: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
+        /// Branch of the law at the end of the step: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
         "branch": row.step.branch.name();
-        /// Indentation at its end.
+        /// Indentation at the end of the step.
         "indentation_m" in Length as "indentation": row.step.indentation;
-        /// The sphere's own share of the indentation, with the flat that it keeps.
+        /// Part of the indentation in the sphere, including its permanent flat.
         "sphere_indentation_m" in Length: row.step.sphere_indentation;
-        /// Force at its end.
+        /// Force at the end of the step.
         "force_N" in Force as "force": row.step.force;
         /// Work done in the step; negative on unloading.
         "work_J" in Energy as "work": row.step.work;
-        /// Elastic energy in the contact at its end.
+        /// Stored elastic energy at the end of the step.
         "stored_energy_J" in Energy: row.step.stored_energy;
-        /// Energy spent on the dent in the step.
+        /// Plastic work of the step.
         "plastic_work_J" in Energy as "plastic work" if YIELDS: row.tested.can_yield.then_some(row.step.plastic_work);
-        /// Largest force so far.
+        /// Maximum force so far.
         "peak_force_N" in Force: row.step.memory.force;
-        /// Largest indentation so far.
+        /// Maximum indentation so far.
         "peak_indentation_m" in Length: row.step.memory.indentation;
-        /// Contact radius at that indentation.
+        /// Contact radius at the maximum indentation so far.
         "peak_contact_radius_m" in Length as "contact radius": row.step.memory.contact_radius;
-        /// Largest force over the contact area there: the hardness F/A of a nanoindentation.
+        /// Maximum force over its contact area: the hardness F/A of a nanoindentation.
         "peak_mean_pressure_Pa" in Pressure as "hardness F/A": row.step.memory.mean_pressure;
-        /// How much closer the bodies stay: the depth of the dent and of the flat on the sphere.
+        /// Residual indentation: dent depth plus flat depth.
         "residual_indentation_m" in Length as "dent depth" if YIELDS: row.tested.can_yield.then_some(row.step.memory.residual_indentation);
-        /// Slope S of the unloading branch at its top. In a dent S/(2 a) is no measure of the modulus: it is 10 to 16 % above E*
-        /// with the exponent `pressure-shape`, and up to 30 % with 3/2 (`indentation-cycles`).
+        /// Unloading stiffness S at the maximum force. Do not compute the modulus from S/(2 a) of a dent: the result exceeds E* by
+        /// 10 to 16 % with the exponent `pressure-shape`, and by up to 30 % with 3/2 (`indentation-cycles`).
         "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": row.step.memory.unloading_stiffness;
-        /// Exponent of the force on unloading.
+        /// Exponent of the unloading force.
         "unloading_exponent": row.step.memory.unloading_exponent;
     }
 }
@@ -118,9 +118,9 @@ pub fn trace_columns<'a>() -> Vec<ResultSpec<TraceReport<'a>>> {
         "step": row.1.step;
         /// Indentation.
         "indentation_m" in Length: row.1.indentation;
-        /// The sphere's own share of the indentation, with the flat that it keeps.
+        /// Part of the indentation in the sphere, including its permanent flat.
         "sphere_indentation_m" in Length: row.1.sphere_indentation;
-        /// The half-space's share of the indentation.
+        /// Part of the indentation in the half-space.
         "half_space_indentation_m" in Length: row.1.half_space_indentation;
         /// Force.
         "force_N" in Force: row.1.force;

@@ -22,23 +22,23 @@ pub fn total_results<'a>() -> Vec<ResultSpec<Totals<'a>>> {
         "rows": totals.0.rows;
         /// Rows without a result.
         "failures": totals.0.failures;
-        /// Rows that the law has no answer for.
+        /// Rows with status `outside_law`: the law has no result.
         "outside_law" if OUTSIDE: (totals.0.outside_law > 0).then_some(totals.0.outside_law);
-        /// Restitutions that the distribution is made of.
+        /// Number of restitutions in the distribution.
         "restitution.samples" if RANDOM: totals.1.map(|e| e.samples);
         /// Mean of the restitution.
         "restitution.mean" if RANDOM: totals.1.map(|e| e.mean);
         /// Standard deviation of the restitution, with n - 1 in the denominator.
         "restitution.standard_deviation" in Deviation if RANDOM: totals.1.map(|e| e.standard_deviation);
-        /// 5 % of the restitutions are smaller.
+        /// 5 % quantile of the restitution.
         "restitution.quantile_05" if RANDOM: totals.1.map(|e| e.quantile_05);
-        /// Half of the restitutions are smaller.
+        /// Median of the restitution.
         "restitution.quantile_50" if RANDOM: totals.1.map(|e| e.quantile_50);
-        /// 5 % of the restitutions are larger.
+        /// 95 % quantile of the restitution.
         "restitution.quantile_95" if RANDOM: totals.1.map(|e| e.quantile_95);
-        /// 0 where the quantiles are exact (up to 10^6 samples), else the width of the bins that they come from.
+        /// 0 if the quantiles are exact (up to 10^6 samples), otherwise the width of their bins.
         "restitution.quantile_resolution" if RANDOM: totals.1.map(|e| e.quantile_resolution);
-        /// The distribution of every other column that output.columns or output.picture names, see below.
+        /// Distribution of every other column that output.columns or output.picture names, see below.
         "columns" if NAMED_COLUMNS: totals.2.clone();
     }
 }
@@ -48,19 +48,19 @@ pub fn distributions() -> Vec<ResultSpec<(ResultColumn, RestitutionStatistics)>>
     result_specs! { |one: (ResultColumn, RestitutionStatistics)|
         /// Name of the column, with its unit.
         "column": one.0.name;
-        /// Values that the distribution is made of.
+        /// Number of values in the distribution.
         "samples": one.1.samples;
         /// Mean, in the unit of the column.
         "mean": one.1.mean;
         /// Standard deviation, with n - 1 in the denominator.
         "standard_deviation" in Deviation: one.1.standard_deviation;
-        /// 5 % of the values are smaller.
+        /// 5 % quantile.
         "quantile_05": one.1.quantile_05;
-        /// Half of the values are smaller.
+        /// Median.
         "quantile_50": one.1.quantile_50;
-        /// 5 % of the values are larger.
+        /// 95 % quantile.
         "quantile_95": one.1.quantile_95;
-        /// 0 where the quantiles are exact (up to 10^6 samples), else the width of the widest bin that they come from.
+        /// 0 if the quantiles are exact (up to 10^6 samples), otherwise the width of the widest bin.
         "quantile_resolution": one.1.quantile_resolution;
     }
 }
@@ -70,13 +70,13 @@ pub fn random_key_results() -> Vec<ResultSpec<Variable>> {
     result_specs! { |variable: Variable|
         /// Path of the key.
         "key": variable.key.path;
-        /// Name of its distribution: `uniform`, `normal` or `lognormal`.
+        /// Distribution: `uniform`, `normal` or `lognormal`.
         "distribution": variable.distribution.name_and_parameters().0;
         /// Mean and standard deviation before truncation, or the two ends; SI.
         "parameters": variable.distribution.name_and_parameters().1.to_vec();
-        /// Range that the values are cut to.
+        /// Range to which the values are truncated.
         "truncated_to": variable.key.quantity.allowed_range();
-        /// Share of the distribution that lies in that range.
+        /// Probability of this range before truncation.
         "kept": variable.probability_in_range();
     }
 }

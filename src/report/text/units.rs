@@ -41,4 +41,4 @@ pub fn list() -> String {
 }
 
 const SPELLINGS: &str = "A size of a ball may be a fraction of an inch: \"1/2 in\", \"1-3/8 in\".
-m/s^2 may be m/s² or m/s2; Pa s may be Pa·s; µm may be um. A number without a unit is in SI.";
+m/s^2 may be m/s² or m/s2; Pa s may be Pa·s; µm may be um. A number without a unit is in SI; an angle needs a unit.";

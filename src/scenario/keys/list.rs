@@ -35,44 +35,44 @@ macro_rules! strength_keys {
     ($table:literal, $part:ident) => {
         key_specs! {
             $table;
-            /// Uniaxial yield strength of the body; without it the body stays elastic. The softer body yields; within a factor of
-            /// 1.25 of the pressures at first yield both do.
+            /// Uniaxial yield strength of the body. Without it the body is elastic. If both bodies have a yield strength, the
+            /// softer body yields; both yield if their contact pressures at first yield differ by less than a factor of 1.25.
             "yield_strength" of $part: Number(&STRENGTH);
-            /// Hardness of the body in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
-            /// hardness test. The flow stress at a plastic strain of 0.08 is the one whose own indentation has this pressure; `check`
-            /// says the ratio of the two. It is the yield strength too, unless flow_stress.power is given: then the yield
-            /// strength is where that curve begins.
+            /// Hardness of the body, instead of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
+            /// hardness test. It is converted to the flow stress at a plastic strain of 0.08; `check` prints the ratio. Without
+            /// flow_stress.power the metal is perfectly plastic with this stress. With flow_stress.power the yield strength is the
+            /// begin of that curve.
             "hardness" of $part: Number(&HARDNESS);
-            /// Which stress the strength is: "flow" is the stress at which the metal yields in the impact, at a plastic strain of 1 to 8 %,
-            /// such as a calibrated strength; "proof" is the 0.2 % proof stress of a tensile test, with which e may be up to 37 % too
-            /// low. It serves the interval of e alone.
+            /// Kind of strength: "flow" is the flow stress in the impact, at a plastic strain of 1 to 8 %, such as a calibrated
+            /// strength; "proof" is the 0.2 % proof stress of a tensile test, with which e is up to 37 % too low. The key changes
+            /// only the interval of e.
             "strength_kind" of $part: Word(&STRENGTH_KINDS);
-            /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a body that hardens; finite elements
-            /// back 0.1 to 0.3, and outside of that e may be off by more than 3 %.
+            /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a metal that strain-hardens. Validated for N = 0.1
+            /// to 0.3; outside, the error of e may exceed 3 %.
             "flow_stress.power.exponent" of Flow: Number(&HARDENING_EXPONENT);
-            /// Factor b of the flow stress sigma_Y (1 + b (1 - exp(-c strain))), which rises by b yield strengths in the end.
+            /// Factor b of the flow stress sigma_Y (1 + b (1 - exp(-c strain))); the stress saturates at (1 + b) sigma_Y.
             "flow_stress.voce.saturation" of Flow: Number(&SATURATION);
-            /// Rate c of that flow stress: how fast it rises with plastic strain.
+            /// Rate c of this flow stress: how fast the stress rises with plastic strain.
             "flow_stress.voce.rate" of Flow: Number(&HARDENING_RATE);
-            /// Slope of a flow stress that rises in a straight line with plastic strain.
+            /// Slope of a flow stress that rises linearly with plastic strain.
             "flow_stress.linear.slope" of Flow: Number(&HARDENING_SLOPE);
-            /// Points of a measured flow curve: plastic strain and true stress; straight lines between them, constant after
-            /// the last.
+            /// Points of a measured flow curve: plastic strain and true stress. The stress is linear between points, and constant
+            /// after the last point.
             "flow_stress.points" of Flow: Points;
-            /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
+            /// File of points of a flow curve, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
             "flow_stress.table" of Flow: File("flow.csv");
-            /// How the strength of the body rises with the rate of strain, under the law plm: a table, or "material" for the
-            /// johnson_cook.c of its material, where that is known.
+            /// Strain-rate dependence of the strength, under the law plm: a table, or "material" for the johnson_cook.c of the
+            /// material of the body, if c is known.
             "rate" of Rate: WordOrTable(&RATES);
             /// c of Johnson and Cook's factor 1 + c ln(rate/reference) of the strength.
             "rate.johnson_cook.c" of Rate: Number(&RATE_SENSITIVITY);
-            /// Rate at which that factor is 1; below it the factor falls on.
+            /// Strain rate at which the factor of Johnson and Cook is 1. Below this rate the factor is less than 1.
             "rate.johnson_cook.reference" of Rate: Number(&STRAIN_RATE) => "1 1/s";
             /// D of Cowper and Symonds' factor 1 + (rate/D)^(1/q) of the strength.
             "rate.cowper_symonds.rate" of Rate: Number(&STRAIN_RATE);
-            /// q of that factor.
+            /// q of the factor of Cowper and Symonds.
             "rate.cowper_symonds.exponent" of Rate: Number(&RATE_EXPONENT);
-            /// Rate of the test that gave the strength, the flow curve or the hardness.
+            /// Strain rate of the test that gave the strength, the flow curve or the hardness.
             "rate.tested_at" of Rate: Number(&STRAIN_RATE) => "0.001 1/s";
         }
     };
@@ -106,22 +106,22 @@ const SPHERE_KEYS: [KeySpec; 9] = key_specs! {
     "";
     /// Radius of the sphere (not its diameter).
     "sphere.radius" of Sphere: Number(&LENGTH);
-    /// Diameter of the sphere, in place of the radius.
+    /// Diameter of the sphere, instead of its radius.
     "sphere.diameter" of Sphere: Number(&LENGTH);
     /// Young's modulus of the sphere, or "rigid".
     "sphere.youngs_modulus" of Sphere: NumberOr(&SPHERE_MODULUS, "rigid");
     /// Poisson's ratio of the sphere.
     "sphere.poissons_ratio" of Sphere: Number(&POISSONS_RATIO);
-    /// Density of the sphere, which gives its mass.
+    /// Density of the sphere; the mass follows from it.
     "sphere.density" of Motion: Number(&DENSITY);
-    /// Mass of all that moves with the sphere, in place of its density; for a hammer or a pendulum with a spherical tip.
+    /// Total moving mass, instead of the density; for a hammer or a pendulum with a spherical tip.
     "sphere.mass" of Motion: Number(&MASS);
-    /// Moment of inertia of all that moves with the sphere, about the sphere's centre. Needed with mass where the sphere
-    /// comes in at an angle or spins.
+    /// Moment of inertia of all moving parts about the centre of the sphere. Required with mass if the sphere has an angle or a
+    /// spin.
     "sphere.moment_of_inertia" of Motion: Number(&MOMENT_OF_INERTIA) => "of a solid sphere";
-    /// Spin of the sphere before the impact, about the axis across its path; positive for rolling forward. Needs friction.
+    /// Spin of the sphere before the impact, about the axis across its path; positive for rolling forward. Requires [friction].
     "sphere.spin" of Approach: Number(&SPIN) => "0";
-    /// Material whose numbers the sphere takes; a key that is given too replaces the number. It can be an axis.
+    /// Material of the sphere from the library. Other keys of this table override single properties. The material can be an axis.
     "sphere.material" of Sphere: Word(&MATERIALS);
 };
 
@@ -132,60 +132,61 @@ const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
     "half_space.youngs_modulus" of HalfSpace: Number(&MODULUS);
     /// Poisson's ratio of the half-space.
     "half_space.poissons_ratio" of HalfSpace: Number(&POISSONS_RATIO);
-    /// Radius of the half-space where it is hit: of a second ball or a convex wall, or negative for a hollow, which has at least
-    /// twice the radius of the sphere. Without it the half-space is flat.
+    /// Radius of curvature of the target: positive for a ball or a convex wall, negative for a hollow (at least twice the radius of
+    /// the sphere).
     "half_space.radius" of HalfSpace: Number(&CURVATURE) => "flat";
-    /// Mass of the body that is hit, if it is free to move and at rest before; or "ball" for a solid ball of its radius and
-    /// density. Without it the body is fixed.
+    /// Mass of a free target that is at rest before the impact, or "ball" for a solid ball of the target's radius and density.
     "half_space.mass" of Motion: NumberOr(&MASS, "ball") => "fixed";
-    /// Density of the half-space; with it the energy that is radiated as elastic waves is reported, and bouncing loses it.
+    /// Density of the half-space. With the density, the energy radiated as elastic waves is computed, and a series of impacts loses
+    /// this energy.
     "half_space.density" of Motion: Number(&DENSITY);
-    /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.
+    /// Material of the half-space from the library. Other keys of this table override single properties. The material can be an
+    /// axis.
     "half_space.material" of HalfSpace: Word(&MATERIALS);
-    /// Thickness of a large plate in place of the half-space; needs its density. It can be an axis.
+    /// Thickness of a large plate that replaces the half-space; requires half_space.density. The thickness can be an axis.
     "half_space.thickness" of Motion: Number(&LENGTH);
-    /// Distance of the plate's nearest edge. It only serves to warn where bending waves come back from it in time.
+    /// Distance of the nearest edge of the plate. Used only for a warning about bending waves that the edge reflects.
     "half_space.edge_distance" of Motion: Number(&LENGTH);
-    /// How the plate gives way: as a thin one, or with the first term of a thick one.
+    /// Model of the plate: "zener" for a thin plate, "thick" with the first correction for a thick plate.
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
 };
 
 const OTHER_KEYS: [KeySpec; 70] = key_specs! {
     "";
-    /// Speed of the sphere at first touch, towards the half-space.
+    /// Impact speed: speed of the sphere at first contact, towards the half-space. With an angle, the magnitude of the velocity.
     "impact.speed" of Approach: Number(&SPEED);
-    /// Height that the sphere falls from, in place of the speed: v = sqrt(2 g h), with g = 9.80665 m/s^2 unless gravity is
-    /// given. With gravity it may be 0: the sphere is released at first touch.
+    /// Drop height, instead of the speed: v = sqrt(2 g h), with g = 9.80665 m/s^2 unless gravity is given. With gravity the drop
+    /// height may be 0: the sphere is released at first contact.
     "impact.drop_height" of Approach: Number(&DROP_HEIGHT);
-    /// Angle of the path from the normal of the half-space (in erosion it is often counted from the surface). The speed
-    /// is then the whole speed. Needs friction.
+    /// Angle of the path from the normal of the half-space (in erosion the angle is often counted from the surface). Requires
+    /// [friction].
     "impact.angle" of Approach: Number(&ANGLE) => "0 deg";
     /// Coefficient of Coulomb friction between sphere and half-space; 0 for none.
     "friction.coefficient" of Approach: Number(&FRICTION);
-    /// Gravity, towards the half-space, that acts during contact and flight. A drop height alone does not need it.
+    /// Gravitational acceleration, towards the half-space, during contact and flight. Not required for a drop height.
     "gravity.acceleration" of Forces: Number(&ACCELERATION);
-    /// Density of the air in which the sphere falls and rises; 1.2 kg/m^3 is usual. It lifts the sphere too.
+    /// Density of the air during fall and rise; 1.2 kg/m^3 is usual. Buoyancy is included.
     "air.density" of Forces: Number(&DENSITY);
-    /// Drag coefficient in flight; about 0.5 for a smooth sphere. Or "sphere": by its Reynolds number (Schiller and Naumann),
-    /// which needs the viscosity.
+    /// Drag coefficient in flight, about 0.5 for a smooth sphere; or "sphere": by the Reynolds number (Schiller and Naumann), which
+    /// requires air.viscosity.
     "air.drag" of Forces: NumberOr(&DRAG, "sphere");
     /// Viscosity of the air, for drag = "sphere".
     "air.viscosity" of Forces: Number(&VISCOSITY);
     /// Coefficient chi of the force F (1 + chi v).
     "damping.hunt_crossley" of Forces: Number(&HUNT_CROSSLEY);
-    /// Fraction of critical damping, with the tangent stiffness of the contact; in place of hunt_crossley.
+    /// Fraction of critical damping, with the tangent stiffness of the contact; instead of hunt_crossley.
     "damping.viscous" of Forces: Number(&VISCOUS);
-    /// Exponent of the unloading force, or "pressure-shape": the exponent that follows from the shape of the contact
-    /// pressure at the peak. With it the error of e against finite elements is 1.0 % (rms) and 3.1 % at most; with 1.5, of
-    /// the paper, e is 3.1 % too low on average. Other numbers are for comparison.
+    /// Exponent of the unloading force. "pressure-shape" (recommended) follows from the contact pressure at maximum compression:
+    /// the error of e against finite elements is 1.0 % (rms) and 3.1 % at most. With 1.5, the value of the paper, e is 3.1 % too
+    /// low on average. Other numbers are for comparison only.
     "law.plm.unloading_exponent" of Law: NumberOr(&EXPONENT, "pressure-shape") => "1.5";
     /// File of coefficients of the loading curve, relative to the scenario.
     "law.plm.coefficients" of Law: File("my.toml") => "built in";
-    /// Contact pressure at which the straight part of the loading begins.
+    /// Contact pressure at which the linear part of the loading begins.
     "law.thornton.yield_pressure" of Law: Number(&STRENGTH) => "largest Hertz pressure at first yield";
     /// Mean contact pressure at first yield over the yield strength.
     "law.stronge.yield_pressure_ratio" of Law: Number(&FACTOR) => "1.1";
-    /// Factor f_u of the recovered approach.
+    /// Factor f_u of the recovered indentation.
     "law.stronge.unloading_factor" of Law: Number(&FACTOR) => "1";
     /// Largest Hertz pressure at first yield over the yield strength.
     "law.jackson_green.yield_factor" of Law: Number(&FACTOR) => "1.295 exp(0.736 nu)";
@@ -197,15 +198,15 @@ const OTHER_KEYS: [KeySpec; 70] = key_specs! {
     "law.yigit_christoforou.yield_factor" of Law: Number(&FACTOR) => "2 sqrt(0.68) = 1.649";
     /// Hardness over the yield strength.
     "law.ma_liu.hardness_ratio" of Law: Number(&FACTOR) => "2.8";
-    /// Indentation of full plasticity over that at first yield.
+    /// Indentation at full plasticity over indentation at first yield.
     "law.ma_liu.transition_ratio" of Law: Number(&TRANSITION_RATIO) => "110";
-    /// True contact area over the area in which the sphere cuts the original surface.
+    /// Pile-up factor: true contact area over the area in which the sphere intersects the original surface.
     "law.mesarovic_johnson.area_factor" of Law: Number(&AREA_FACTOR) => "1.43";
     /// Stiffness of loading, in units of force over indentation at first yield.
     "law.walton_braun.loading_stiffness" of Law: Number(&FACTOR) => "1";
-    /// Stiffness of loading over that of unloading; the restitution is the square root of this ratio.
+    /// Loading stiffness over unloading stiffness; the restitution is the square root of this ratio.
     "law.walton_braun.stiffness_ratio" of Law: Number(&SHARE) => "0.5";
-    /// Mean contact pressure while the sphere goes in.
+    /// Mean contact pressure during loading.
     "law.johnson.dynamic_pressure" of Law: Number(&STRENGTH) => "3 yield strengths";
     /// Law of the loading.
     "law.combined.loading" of Law: Word(&LOADINGS);
@@ -213,82 +214,82 @@ const OTHER_KEYS: [KeySpec; 70] = key_specs! {
     "law.combined.unloading" of Law: Word(&UNLOADINGS);
     /// Relative tolerance of the integration, on the dimensionless state.
     "solver.tolerance" of Solver: Number(&TOLERANCE) => "1e-10";
-    /// Integration method; it can be an axis. auto is the closed form where there is one and no trace is asked for,
-    /// else rk8.
+    /// Integration method; it can be an axis. auto is the closed form if one exists and no trace is required, otherwise rk8.
     "solver.method" of Solver: Word(&METHODS) => "rk8; auto for tables and repeated impacts";
     /// Steps of verlet during the contact time.
     "solver.steps_per_contact" of Solver: Count(&STEPS) => "50";
-    /// Rows of a trace, evenly spaced in time; every event adds a row.
+    /// Number of rows of the trace, evenly spaced in time, plus one row for every event.
     "output.samples" of Output: Count(&SAMPLES) => "400";
-    /// Results that a table has besides the restitution.
+    /// Columns of a table, in addition to the restitution.
     "output.columns" of Output: Words(&COLUMNS) => "all";
-    /// Results that are drawn: over the axes of a table, or as histograms of random cases.
+    /// Results to draw: over the axes of a table, or as histograms of random cases.
     "output.picture" of Output: Words(&COLUMNS) => "restitution";
-    /// Axes of a table: keys with lists or ranges of values; the first varies slowest.
+    /// Sweep axes: keys with lists or ranges of values. All combinations are computed; the first axis varies slowest.
     "sweep" of Kind: Axes;
     /// Random cases: samples, seed, and keys with distributions.
     "monte_carlo" of Kind: Variables;
-    /// Where repeated impacts hit: same is in the dent of the impacts before, fresh is on new surface every time.
+    /// "same": every impact hits the same dent. "fresh": every impact hits undamaged surface.
     "repeat.spot" of Kind: Word(&SPOT_MODES);
-    /// Largest number of impacts.
+    /// Maximum number of impacts.
     "repeat.impacts" of Kind: Count(&IMPACTS);
-    /// Bouncing ends before an impact that would be slower than this.
+    /// Bouncing ends before an impact that is slower than this speed.
     "repeat.until.speed" of Kind: Number(&SPEED);
-    /// Speed of every shot, in place of [impact] and impacts.
+    /// Given impact speeds, instead of [impact] and impacts.
     "repeat.speeds" of Kind: Numbers(&SHOT_SPEED);
     /// File of measurements (CSV), relative to the scenario.
     "calibrate.data" of Kind: File("drops.csv");
-    /// One or two numeric keys to find, each with its range and, if needed, its scale.
+    /// One or two numeric keys to fit, each with its range and, if needed, its scale.
     "calibrate.free" of Kind: Free => "half_space.yield_strength, or sphere.yield_strength where that is given and the sphere yields, from 1e-5 to 0.1 of the modulus; or the hardness where that is given, over the hardnesses of these strengths";
-    /// Treatment of outliers: student-t has the long tails of Student's distribution with 4 degrees of freedom.
+    /// Treatment of outliers: "student-t" fits with Student's distribution with 4 degrees of freedom; "none" with the normal
+    /// distribution.
     "calibrate.robust" of Kind: Word(&ROBUSTS) => "\"none\"";
-    /// Other laws to fit; all laws are ranked.
+    /// Other laws to fit; the laws are ranked.
     "calibrate.laws" of Kind: Words(&LAWS) => "none";
-    /// Standard deviations of the measurements, or estimate: they are found from the scatter about the fitted law.
+    /// Standard deviations of the measurements; or "estimate": from the scatter about the fitted law.
     "calibrate.noise" of Kind: WordOrTable(&NOISES) => "columns `_sd` of the data, else \"estimate\"";
-    /// Error of the law as a share of each value, added in quadrature, independent from value to value.
+    /// Relative model error of each value, independent between values; added in quadrature.
     "calibrate.noise.model" of Kind: Number(&MODEL_ERROR) => "0";
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of restitution, unless the data have the column of its standard deviation.
     "calibrate.noise.restitution" of Kind: Number(&DEVIATION);
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of rebound_speed, unless the data have the column of its standard deviation.
     "calibrate.noise.rebound_speed" of Kind: Number(&SPEED);
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of rebound_height, unless the data have the column of its standard deviation.
     "calibrate.noise.rebound_height" of Kind: Number(&LENGTH);
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of bounce_interval, unless the data have the column of its standard deviation.
     "calibrate.noise.bounce_interval" of Kind: Number(&TIME);
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of leeb, unless the data have the column of its standard deviation.
     "calibrate.noise.leeb" of Kind: Number(&DEVIATION);
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of dent_diameter, unless the data have the column of its standard deviation.
     "calibrate.noise.dent_diameter" of Kind: Number(&LENGTH);
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of dent_depth, unless the data have the column of its standard deviation.
     "calibrate.noise.dent_depth" of Kind: Number(&LENGTH);
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of contact_time, unless the data have the column of its standard deviation.
     "calibrate.noise.contact_time" of Kind: Number(&TIME);
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of peak_force, unless the data have the column of its standard deviation.
     "calibrate.noise.peak_force" of Kind: Number(&FORCE);
-    /// Standard deviation of this measurement, where the data have no column for it.
+    /// Standard deviation of force, unless the data have the column of its standard deviation.
     "calibrate.noise.force" of Kind: Number(&FORCE);
-    /// Rebound speed over impact speed, measured in the impact of the scenario: in place of data.
+    /// Measured restitution in the impact of the scenario; replaces data.
     "calibrate.measured.restitution" of Kind: Number(&RESTITUTION);
-    /// Speed of the rebound, measured in the impact of the scenario: in place of data.
+    /// Measured rebound speed in the impact of the scenario; replaces data.
     "calibrate.measured.rebound_speed" of Kind: Number(&SPEED);
-    /// Height of the rebound, measured in the impact of the scenario: in place of data.
+    /// Measured rebound height in the impact of the scenario; replaces data.
     "calibrate.measured.rebound_height" of Kind: Number(&LENGTH);
-    /// Time from this first touch to the next, measured in the impact of the scenario: in place of data.
+    /// Measured time from this first contact to the next; replaces data.
     "calibrate.measured.bounce_interval" of Kind: Number(&TIME);
-    /// Leeb hardness: 1000 times the restitution, measured in the impact of the scenario: in place of data.
+    /// Measured Leeb hardness (1000 times the restitution) in the impact of the scenario; replaces data.
     "calibrate.measured.leeb" of Kind: Number(&LEEB);
-    /// Diameter of the dent's rim, measured in the impact of the scenario: in place of data.
+    /// Measured diameter of the rim of the dent in the impact of the scenario; replaces data.
     "calibrate.measured.dent_diameter" of Kind: Number(&LENGTH);
-    /// Depth of the dent, measured in the impact of the scenario: in place of data.
+    /// Measured depth of the dent in the impact of the scenario; replaces data.
     "calibrate.measured.dent_depth" of Kind: Number(&LENGTH);
-    /// Time in contact, measured in the impact of the scenario: in place of data.
+    /// Measured contact time in the impact of the scenario; replaces data.
     "calibrate.measured.contact_time" of Kind: Number(&TIME);
-    /// Largest force, measured in the impact of the scenario: in place of data.
+    /// Measured peak force in the impact of the scenario; replaces data.
     "calibrate.measured.peak_force" of Kind: Number(&FORCE);
     /// Load at which the step ends.
     "indentation.steps[].load" of Kind: Number(&LOAD);
-    /// Indentation at which the step ends, in place of the load.
+    /// Indentation at which the step ends, instead of the load.
     "indentation.steps[].indentation" of Kind: Number(&INDENTATION);
     /// Name of the material in tables and pictures.
     "indentation.half_space[].name" of Kind: Text("Ti-10Nb");
@@ -296,6 +297,6 @@ const OTHER_KEYS: [KeySpec; 70] = key_specs! {
     "indentation.half_space[].youngs_modulus" of Kind: Number(&MODULUS);
     /// Poisson's ratio of this half-space.
     "indentation.half_space[].poissons_ratio" of Kind: Number(&POISSONS_RATIO);
-    /// Yield strength of this half-space; without the key it stays elastic.
+    /// Yield strength of this half-space. Without it the half-space is elastic.
     "indentation.half_space[].yield_strength" of Kind: Number(&STRENGTH);
 };

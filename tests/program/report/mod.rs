@@ -3,6 +3,7 @@
 pub mod charts;
 pub mod external_pictures;
 pub mod files;
+pub mod limits_page;
 pub mod picture_labels;
 pub mod picture_numbers;
 pub mod pictures;

@@ -44,7 +44,7 @@ fn of_materials() -> String {
 type FileOfResults = (String, Vec<(&'static str, NumberFormat)>);
 
 fn file<T>(title: &str, results: &[ResultSpec<T>]) -> FileOfResults {
-    let mut text = format!("### {title}\n\n| name | meaning | when it is there |\n|---|---|---|\n");
+    let mut text = format!("### {title}\n\n| name | meaning | reported if |\n|---|---|---|\n");
     for ResultSpec { name, description: about, condition, column, .. } in results {
         let mark = if column.is_some() { " \u{25a6}" } else { "" };
         let condition = if condition.is_empty() { "always" } else { condition };
@@ -108,8 +108,8 @@ fn keys() -> String {
 
 const EXPERTS: &str = "## Keys for experts
 
-The constants of the other laws, and the integration. A scenario seldom needs them: the defaults are those of the
-papers, and a relative tolerance of 1e-10.
+The constants of the other laws, and the integration. These keys are rarely needed: the defaults are the constants of the papers, and a
+relative tolerance of 1e-10.
 
 ";
 
