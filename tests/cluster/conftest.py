@@ -50,4 +50,6 @@ class Desk:
     def is_whole(self) -> bool:
         """Whether the table of the shards has the bytes of one run."""
         self.run(f"plm-impact run {self.name}.toml --out whole-{self.name} --quiet")
-        return (self.folder / self.name / "table.csv").read_bytes() == (self.folder / f"whole-{self.name}" / "table.csv").read_bytes()
+        return (self.folder / self.name / "table.csv").read_bytes() == (
+            self.folder / f"whole-{self.name}" / "table.csv"
+        ).read_bytes()

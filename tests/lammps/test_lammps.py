@@ -230,11 +230,21 @@ WAVES = ROOT / "scenarios" / "alumina-on-aluminium-with-waves.toml"
         (("set 0 0 -3", "set 0 0 -3"), "1e-7", STEEL, []),
         # the command warns at 100 m/s too
         (("set 0 0 -3", "set 0 0 -100"), "1e-8", STEEL, ["exceeds the validated"]),
-        (("0.005000001", "0.0049"), "1e-7", STEEL, ["is 0.0001 deep in the wall when it first touches it, and moves 3e-07"]),
+        (
+            ("0.005000001", "0.0049"),
+            "1e-7",
+            STEEL,
+            ["is 0.0001 deep in the wall when it first touches it, and moves 3e-07"],
+        ),
         # a third of a contact
         (("set 0 0 -3", "set 0 0 -3"), "1e-5", STEEL, ["has only 2.9 time steps"]),
         # e with waves is in the head of the scenario
-        (("density 7850", "density 3900"), "1e-7", WAVES, ["elastic waves are left out: they would lower e from 0.58", "to 0.574"]),
+        (
+            ("density 7850", "density 3900"),
+            "1e-7",
+            WAVES,
+            ["elastic waves are left out: they would lower e from 0.58", "to 0.574"],
+        ),
     ],
 )
 def test_doubtful_input_warns_once(
@@ -314,10 +324,14 @@ def test_lmp_finds_the_plugin_of_the_module() -> None:
 
 
 def exported(code: str, *arguments: str) -> str:
-    command = os.environ.get("PLM_IMPACT_TEST_COMMAND", str(ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug/plm-impact"))
+    command = os.environ.get(
+        "PLM_IMPACT_TEST_COMMAND", str(ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug/plm-impact")
+    )
     if not Path(command).exists():
         pytest.skip(f"{command} is not built: set PLM_IMPACT_TEST_COMMAND")
-    return subprocess.run([command, "export", STEEL, "--to", code, *arguments], check=True, capture_output=True, text=True).stdout
+    return subprocess.run(
+        [command, "export", STEEL, "--to", code, *arguments], check=True, capture_output=True, text=True
+    ).stdout
 
 
 def rebound_of(output: str) -> float:
@@ -326,8 +340,12 @@ def rebound_of(output: str) -> float:
 
 @pytest.mark.parametrize("speed", [0.1, 3.0])
 def test_exported_lines_in_lammps(plugin: Path, tmp_path: Path, speed: float) -> None:
-    script = (INPUTS / "one.in").read_text().replace("set 0 0 -3", f"set 0 0 -{speed}").replace("vz[1]/3", f"vz[1]/{speed}")
-    lines = [line for line in exported("lammps", "--speed", f"{speed} m/s").splitlines() if not line.startswith("units")]
+    script = (
+        (INPUTS / "one.in").read_text().replace("set 0 0 -3", f"set 0 0 -{speed}").replace("vz[1]/3", f"vz[1]/{speed}")
+    )
+    lines = [
+        line for line in exported("lammps", "--speed", f"{speed} m/s").splitlines() if not line.startswith("units")
+    ]
     script = re.sub(r"^fix wall .*$", "\n".join(lines), script, flags=re.M).replace("timestep ${dt}\n", "")
     made = tmp_path / "exported.in"
     made.write_text(script)
@@ -388,7 +406,9 @@ def test_exported_lines_in_yade(tmp_path: Path) -> None:
     script = tmp_path / "rebound.py"
     script.write_text(YADE.format(lines=exported("yade")))
     done = subprocess.run([program, "-n", "-x", script], cwd=tmp_path, capture_output=True, text=True, timeout=300)
-    assert rebound_of(done.stdout) == pytest.approx(float(closed_form().restitution(3.0)), rel=1e-2), done.stdout + done.stderr
+    assert rebound_of(done.stdout) == pytest.approx(float(closed_form().restitution(3.0)), rel=1e-2), (
+        done.stdout + done.stderr
+    )
 
 
 GLASS = """[sphere]
@@ -422,7 +442,9 @@ def test_friction_is_the_spring_of_lammps(plugin: Path, tmp_path: Path) -> None:
     g_star = 1 / (2 * (1.23 * 1.77 / 380e9 + 1.25 * 1.75 / 70e9))
     normal = f"hertz {4 / 3 * e_star!r} 0"
     tangential = f"tangential mindlin_rescale/force {8 * g_star!r} 0 0.092"
-    theirs = oblique(plugin, tmp_path, f"wall/gran granular {normal} {tangential} damping velocity zplane 0 NULL", "theirs")
+    theirs = oblique(
+        plugin, tmp_path, f"wall/gran granular {normal} {tangential} damping velocity zplane 0 NULL", "theirs"
+    )
     assert np.abs(ours / theirs - 1).max() < 1e-9, (ours, theirs)
     # in two runs, on two ranks, and across a restart in mid-contact it is the same
     script = (INPUTS / "oblique.in").read_text()
@@ -434,7 +456,9 @@ def test_friction_is_the_spring_of_lammps(plugin: Path, tmp_path: Path) -> None:
         assert (tmp_path / "halves").read_text() == (tmp_path / "ours").read_text(), f"{ranks} ranks"
     again = tmp_path / "again.in"
     last = script[script.index("fix nve") :].replace("run ${n}", "run 13500")
-    again.write_text(f"atom_modify map array\nread_restart {tmp_path}/halves.restart\npair_style none\ncomm_modify cutoff 0.011\n{last}")
+    again.write_text(
+        f"atom_modify map array\nread_restart {tmp_path}/halves.restart\npair_style none\ncomm_modify cutoff 0.011\n{last}"
+    )
     lammps(plugin, str(again), out=tmp_path / "again", **run)
     assert (tmp_path / "again").read_text() == (tmp_path / "ours").read_text(), "restart"
     # and so is the oracle's spring at 2 degrees and friction 0.092: the angle alone decides (tests/reference/oblique.csv)

@@ -160,7 +160,11 @@ def test_results_travel_to_other_processes(contact: plm.Contact) -> None:
     other = pickle.loads(pickle.dumps(table))
     assert list(other) == list(table) and other.shape == (5, 10) and np.isnan(table["restitution"]).any()
     for name in table:
-        assert other[name].tolist() == table[name].tolist() if table[name].dtype == object else other[name].tobytes() == table[name].tobytes(), name
+        assert (
+            other[name].tolist() == table[name].tolist()
+            if table[name].dtype == object
+            else other[name].tobytes() == table[name].tobytes()
+        ), name
     assert other.to_arrow().equals(table.to_arrow())
     outcome = plm.run(ROOT / "scenarios" / "restitution-vs-speed.toml")
     other = pickle.loads(pickle.dumps(outcome))
@@ -238,7 +242,11 @@ def test_contacts_with_equal_input_are_equal(contact: plm.Contact) -> None:
     same = steel(sphere=dict(radius=5e-3, density="7.85 g/cm^3", **STEEL))
     assert contact == same and hash(contact) == hash(same) and len({contact, same}) == 1
     assert contact == pickle.loads(pickle.dumps(contact)) and contact != "a contact"
-    for other in (steel(law="thornton"), steel(impact=dict(speed=1)), steel(sphere=dict(radius="6 mm", density=7850, **STEEL))):
+    for other in (
+        steel(law="thornton"),
+        steel(impact=dict(speed=1)),
+        steel(sphere=dict(radius="6 mm", density=7850, **STEEL)),
+    ):
         assert contact != other
     # the results of the summary that depend on the contact alone
     summary = contact.impact(3.0).to_dict()
@@ -249,7 +257,9 @@ def test_contacts_with_equal_input_are_equal(contact: plm.Contact) -> None:
 
 
 def test_a_scalar_of_numpy_is_a_number(contact: plm.Contact) -> None:
-    assert type(contact.restitution(np.float64(3))) is float and contact.restitution(np.float64(3)) == contact.restitution(3.0)
+    assert type(contact.restitution(np.float64(3))) is float and contact.restitution(
+        np.float64(3)
+    ) == contact.restitution(3.0)
     # a number with a unit of its own is none
     with pytest.raises(TypeError, match="the value has units"):
         contact.restitution(Quantity(3))
@@ -296,9 +306,11 @@ def test_law_may_be_name_tables_any_mapping() -> None:
     thornton = steel(law="thornton")
     assert thornton.restitution(3.0) == steel(law=MappingProxyType(dict(thornton={}))).restitution(3.0)
     assert thornton.restitution(3.0) != steel().restitution(3.0)
-    with pytest.raises(ValueError, match='unknown law `thorton`, did you mean `thornton`'):
+    with pytest.raises(ValueError, match="unknown law `thorton`, did you mean `thornton`"):
         steel(law="thorton")
-    tables = MappingProxyType(dict(sphere=dict(radius="5 mm", density=7850, **STEEL), half_space=dict(yield_strength="345 MPa", **STEEL)))
+    tables = MappingProxyType(
+        dict(sphere=dict(radius="5 mm", density=7850, **STEEL), half_space=dict(yield_strength="345 MPa", **STEEL))
+    )
     outcome = plm.run(tables, set=MappingProxyType({"impact.speed": 3, "law": "thornton"}))
     assert outcome.summary["restitution"] == thornton.impact(3.0).restitution
 
@@ -319,13 +331,24 @@ def test_hostile_values_are_refused_without_a_panic(radius: object) -> None:
 def test_hostile_tables_are_refused_without_a_panic() -> None:
     endless: dict[str, object] = {}
     endless["law"] = endless
-    for tables in (endless, {"a\n[b]": 1}, {'"': {'"': "'''"}}, {"": {"": ""}}, {1: 2}, {"sphere": {"\ud800": 1}}, {"sphere": {"radius": "\ud800"}}):
+    for tables in (
+        endless,
+        {"a\n[b]": 1},
+        {'"': {'"': "'''"}},
+        {"": {"": ""}},
+        {1: 2},
+        {"sphere": {"\ud800": 1}},
+        {"sphere": {"radius": "\ud800"}},
+    ):
         with pytest.raises((ValueError, TypeError)):
             plm.run(tables)
     for error in (ValueError, FileNotFoundError, plm.ScenarioNotFoundError):
         with pytest.raises(error, match=r"^\[Errno 2\] No such file or directory: 'no-such-file.toml'$") as caught:
             plm.run("no-such-file.toml")
-    assert caught.value.filename == "no-such-file.toml" and pickle.loads(pickle.dumps(caught.value)).errno == caught.value.errno
+    assert (
+        caught.value.filename == "no-such-file.toml"
+        and pickle.loads(pickle.dumps(caught.value)).errno == caught.value.errno
+    )
     for samples in (0, 1, 10**7, -1, 2**70):
         with pytest.raises(ValueError, match="samples: "):
             steel().impact(1.0, samples=samples)

@@ -204,4 +204,6 @@ def import_optional(name, method):
     try:
         return importlib.import_module(name)
     except ImportError as error:
-        raise ImportError(f"{method} needs {name}: pip install {name}; to_dict gives NumPy arrays without it") from error
+        raise ImportError(
+            f"{method} needs {name}: pip install {name}; to_dict gives NumPy arrays without it"
+        ) from error
