@@ -5,8 +5,6 @@ import re
 import subprocess
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).parents[2]
 STEEL = (ROOT / "scenarios" / "steel-on-steel.toml").read_text().split("[solver]")[0]
 SWEEP = """

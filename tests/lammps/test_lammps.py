@@ -68,7 +68,7 @@ def test_python_lammps_loads_fix_as_documented(plugin: Path) -> None:
     assert done.stdout.strip() == "True", done.stdout + done.stderr
 
 
-def closed_form(**changes: dict) -> "plm.Contact":
+def closed_form(**changes: dict) -> plm.Contact:
     """The bodies and the law of the scenario that LAMMPS reads, with other values of some keys."""
     scenario = tomllib.loads(STEEL.read_text())
     tables = {table: scenario[table] | changes.get(table, {}) for table in ("sphere", "half_space", "law")}
@@ -119,17 +119,19 @@ def write_rain(path: Path, count: int, seed: int = 1) -> tuple:
     z = radius + speed * random.uniform(0.0, 20e-6, count)
     lines = ["rain", "", f"{count} atoms", "1 atom types", "", f"0 {0.011 * side} xlo xhi", f"0 {0.011 * side} ylo yhi"]
     lines += ["-0.001 0.05 zlo zhi", "", "Atoms # sphere", ""]
-    lines += [f"{i + 1} 1 {2 * radius[i]!r} 7850 {x[i]!r} {y[i]!r} {z[i]!r}" for i in map(int, place)]
-    lines += ["", "Velocities", ""] + [f"{i + 1} 0 0 {-speed[i]!r} 0 0 0" for i in map(int, place)]
-    path.write_text("\n".join(lines).replace("np.float64(", "").replace(")", "") + "\n")
+    # a float is written with the digits from which the same number is read
+    spheres = list(zip(*(column.tolist() for column in (2 * radius, x, y, z))))
+    lines += [f"{i} 1 {size} 7850 {x} {y} {z}" for i, (size, x, y, z) in enumerate(spheres, start=1)]
+    lines += ["", "Velocities", ""] + [f"{i} 0 0 {-v} 0 0 0" for i, v in enumerate(speed.tolist(), start=1)]
+    path.write_text("\n".join(lines) + "\n")
     return radius, speed
 
 
-def table(dump: Path) -> "np.ndarray":
+def table(dump: Path) -> np.ndarray:
     return np.loadtxt(dump, skiprows=9)
 
 
-def energies(output: str) -> "np.ndarray":
+def energies(output: str) -> np.ndarray:
     """Kinetic energy, stored and plastic, stored, plastic: a row for each print."""
     number = r"[-+.eE\d]+"
     rows = re.findall(rf"^ +\d+ +({number}) +({number}) +({number}) +({number}) *$", output, re.M)
@@ -422,7 +424,7 @@ poissons_ratio = 0.25
 """
 
 
-def oblique(plugin: Path, tmp_path: Path, style: str, name: str, **changes: object) -> "np.ndarray":
+def oblique(plugin: Path, tmp_path: Path, style: str, name: str, **changes: object) -> np.ndarray:
     """Five spheres at 2, 10, 18, 26 and 34 degrees: tangential restitution and spin after the impact."""
     out = tmp_path / name
     run = dict(angles=5, speed=0.05, style=style, dt="1e-8", n=15_000, out=out) | changes

@@ -2,7 +2,6 @@
 
 import base64
 import copy
-import json
 import pickle
 import warnings
 from collections import Counter
@@ -182,8 +181,8 @@ def test_a_pickle_does_not_warn_again() -> None:
 
 
 def test_a_result_of_tables_alone_is_said_to_be_one(contact: plm.Contact) -> None:
-    with pytest.raises(AttributeError, match="^plastic_fraction is in tables only: plm_impact.impacts gives it$"):
-        contact.impact(3.0).plastic_fraction
+    with pytest.raises(AttributeError, match=r"^plastic_fraction is in tables only: plm_impact\.impacts gives it$"):
+        _ = contact.impact(3.0).plastic_fraction
 
 
 def test_computed_results_are_cached(contact: plm.Contact) -> None:
@@ -224,18 +223,18 @@ def test_threads_share_a_contact(contact: plm.Contact) -> None:
 def test_keys_of_contact_have_sentences_of_command() -> None:
     with pytest.raises(ValueError, match='unknown unit "mmm" in "5 mmm"; units of a length are nm, '):
         plm.Contact(sphere=dict(radius="5 mmm"), half_space={})
-    with pytest.raises(ValueError, match="impact.speed: -1 m/s is not allowed: a speed must be > 0 m/s"):
+    with pytest.raises(ValueError, match=r"impact\.speed: -1 m/s is not allowed: a speed must be > 0 m/s"):
         steel().impact(-1)
     with pytest.raises(ValueError, match="did you mean `half_space`"):
         plm.Contact(sphere={}, halfspace={})
     with pytest.raises(ValueError, match="tables of one impact"):
         steel(sweep={"impact.speed": [1.0, 2.0]})
-    with pytest.raises(TypeError, match="impact.speed: found .*list.*, expected one number .*impacts take arrays"):
+    with pytest.raises(TypeError, match=r"impact\.speed: found .*list.*, expected one number .*impacts take arrays"):
         steel().impact([1, 2])
     with pytest.raises(ValueError, match="samples: -1 is not allowed"):
         steel().impact(1.0, samples=-1)
     with pytest.raises(AttributeError, match='no result "peak_force", did you mean "peak_force_N"'):
-        steel().impact(1.0).peak_force
+        _ = steel().impact(1.0).peak_force
 
 
 def test_contacts_with_equal_input_are_equal(contact: plm.Contact) -> None:

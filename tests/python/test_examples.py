@@ -28,7 +28,7 @@ def test_the_example_draws_e_against_v(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "page, heading",
+    ("page", "heading"),
     [
         ("README.md", "## Python\n"),
         ("src/registry.md", "## The Python module\n"),

@@ -202,7 +202,7 @@ def test_warning_points_at_line_of_caller(contact: plm.Contact) -> None:
         "half_space.yield_strength": {"from": 1e8, "to": 1e9},
         "half_space.youngs_modulus": {"from": 1e11, "to": 4e11},
     }
-    with pytest.warns(UserWarning) as caught:
+    with pytest.warns(plm.ModelWarning) as caught:
         plm.calibrate(ROOT / "scenarios" / "calibrate-ball-drop.toml", data, set={"calibrate.free": free})
     assert {Path(warning.filename).name for warning in caught} == {Path(__file__).name}
 

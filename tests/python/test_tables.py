@@ -287,7 +287,7 @@ def test_dataframe_libraries_read_table_in_place(contact: plm.Contact) -> None:
             else:
                 assert np.array_equal(np.array(other[name], dtype=float), np.array(column), equal_nan=True), name
     # in place of one column of names
-    with pytest.raises(TypeError, match="table.to_pandas"):
+    with pytest.raises(TypeError, match=r"table\.to_pandas"):
         pandas.DataFrame(fresh)
     structured = fresh.to_numpy()
     assert structured.dtype.names == tuple(expected) and structured["restitution"].tolist() == expected["restitution"]
@@ -311,8 +311,8 @@ def interrupted(work: Callable[[], object]) -> None:
     other.start()
     # what does not hear Ctrl-C, or keeps other threads from running, is ended after minutes
     faulthandler.dump_traceback_later(600, exit=True, file=sys.__stderr__)
+    is_called.set()
     with pytest.raises(KeyboardInterrupt):
-        is_called.set()
         work()
     faulthandler.cancel_dump_traceback_later()
     other.join()

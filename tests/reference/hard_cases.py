@@ -48,7 +48,7 @@ def elastic_line(kappa, a_over_r):
     def approach(x, f):
         if x <= 1:
             return x
-        a, eps = mpf(1), mpf(1)
+        eps = mpf(1)
         for i, knot in enumerate(knots):
             s = slope(knot)
             end = knots[i + 1] if i + 1 < len(knots) else inf
@@ -154,9 +154,12 @@ DENT = (KINKED, stiffness(mpf(1)))
 HERTZ = ([(mpf(0), mpf(0), mpf(0), None)], lambda x, f: x)
 CLOSE = many_knots(5, 1 + mpf("1e-12"))
 CASES = [
-    *((f"v = v_Y (1 {o[0]} {o[1:]})", STEEL, mpf(1.0 + float(o))) for o in "-1e-3 -1e-6 -1e-9 -1e-12 -1e-15".split()),
+    *(
+        (f"v = v_Y (1 {o[0]} {o[1:]})", STEEL, mpf(1.0 + float(o)))
+        for o in ["-1e-3", "-1e-6", "-1e-9", "-1e-12", "-1e-15"]
+    ),
     ("v = v_Y", STEEL, mpf(1)),
-    *((f"v = v_Y (1 + {o})", STEEL, mpf(1.0 + float(o))) for o in "1e-15 1e-12 1e-9 1e-6 1e-3".split()),
+    *((f"v = v_Y (1 + {o})", STEEL, mpf(1.0 + float(o))) for o in ["1e-15", "1e-12", "1e-9", "1e-6", "1e-3"]),
     *((f"peak on the knot at x = {x}", STEEL, speed_to(STEEL, mpf(x))) for x in ("1.7", "8.4", "225")),
     ("peak 1e-12 before the knot at x = 8.4", STEEL, speed_to(STEEL, mpf("8.4") * (1 - mpf("1e-12")))),
     ("peak 1e-12 behind the knot at x = 8.4", STEEL, speed_to(STEEL, mpf("8.4") * (1 + mpf("1e-12")))),

@@ -38,7 +38,7 @@ def main() -> None:
         sphere={"radius": 5e-3, "density": 7850, **steel}, half_space={"yield_strength": 345e6, **steel}
     )
     speeds, thousand = np.logspace(-3, 2, ROWS), np.logspace(-3, 1, 1000)
-    deep, memory = contact.force(1e-6 * thousand)
+    _deep, memory = contact.force(1e-6 * thousand)
     calls: dict[str, Callable[[], object]] = {
         "`contact.restitution(3.0)`": lambda: contact.restitution(3.0),
         "`contact.restitution(v)`, 1000 speeds": lambda: contact.restitution(thousand),
