@@ -65,8 +65,8 @@ static void rated(void) {
 static void rubbed(void) {
     double memory[3] = {0.0, 0.0, 0.0}, history[3] = {0.0, 0.0, 0.0}, previous_indentation = 0.0;
     for (int step = 0; step < STEPS; step++) {
-        double indentation = path(step), slip[3] = {2e-8, step < STEPS / 2 ? 1e-8 : -3e-8, 0.0};
-        double force = plm_contact_force(contact, indentation, memory);
+        const double slip[3] = {2e-8, step < STEPS / 2 ? 1e-8 : -3e-8, 0.0};
+        double indentation = path(step), force = plm_contact_force(contact, indentation, memory);
         if (plm_contact_friction(contact, 0.2, previous_indentation, indentation, force, memory, slip, history) != 0) {
             puts("friction fails");
         }
@@ -82,7 +82,8 @@ static void rubbed(void) {
                    plm_contact_friction(contact, 0.2, 0.0, 1e-6, 1.0, NULL, kept, history);
     /* a coefficient, a slip, a force, an indentation, a memory that no contact has */
     const double wrong[] = {NAN, INFINITY, -INFINITY, -0.1};
-    double slip[3] = {2e-8, 0.0, 0.0}, lost[3] = {0.0, 0.0, 0.0}, empty[3] = {1e-6, -1.0, 0.0};
+    const double slip[3] = {2e-8, 0.0, 0.0}, empty[3] = {1e-6, -1.0, 0.0};
+    double lost[3] = {0.0, 0.0, 0.0};
     for (int i = 0; i < 4; i++) {
         failures += plm_contact_friction(contact, wrong[i], 1e-6, 1e-6, 1.0, memory, slip, history);
     }
@@ -148,7 +149,7 @@ int main(int count, char **arguments) {
     for (int i = 0; i < 3; i++) {
         double kept[3] = {0.0, 0.0, 0.0};
         plm_contact_force(contact, 20e-6, kept);
-        double before[3] = {kept[0], kept[1], kept[2]};
+        const double before[3] = {kept[0], kept[1], kept[2]};
         spoilt |= !isnan(plm_contact_force(contact, hostile[i], kept)) || memcmp(kept, before, sizeof kept) != 0;
         for (int part = 0; part < 3; part++) {
             double lost[3] = {kept[0], kept[1], kept[2]};
@@ -201,7 +202,8 @@ int main(int count, char **arguments) {
     }
     puts(differ ? "threads differ" : "threads agree");
     /* of three contacts that in the middle has no force, and the others have theirs */
-    double three[9] = {0.0}, depths[3] = {30e-6, NAN, 30e-6}, loads[3] = {0.0};
+    const double depths[3] = {30e-6, NAN, 30e-6};
+    double three[9] = {0.0}, loads[3] = {0.0};
     int one_failed = plm_contact_forces(contact, 3, depths, three, loads);
     int is_right = loads[0] > 0.0 && isnan(loads[1]) && loads[2] == loads[0] && three[3] == 0.0 && three[6] == three[0];
     printf("forces %d %d %d %d %d %d\n", failed, one_failed, is_right,

@@ -162,7 +162,7 @@ FixPLMWall::~FixPLMWall() {
     atom->delete_callback(id, Atom::RESTART);
     memory->destroy(state);
     delete[] region_name;
-    for (auto &entry : contacts) plm_contact_free(entry.second);
+    for (const auto &entry : contacts) plm_contact_free(entry.second);
 }
 
 int FixPLMWall::setmask() { return POST_FORCE; }

@@ -29,9 +29,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc) {
     const int version = lammps_version(lmp);
     if (version != PLM_LAMMPS_VERSION) {
         fprintf(stderr,
-                "plm-impact: this plug-in is for LAMMPS %d and was loaded by LAMMPS %d; it is left out. Build it again "
-                "with "
-                "src/interfaces/lammps/build.py\n",
+                "plm-impact: this plug-in is for LAMMPS %d and was loaded by LAMMPS %d; it is left out. "
+                "Build it again with src/interfaces/lammps/build.py\n",
                 PLM_LAMMPS_VERSION, version);
         return;
     }
