@@ -8,6 +8,25 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import Outcome, Table
 
+__all__ = [
+    "Column",
+    "Contact",
+    "Impact",
+    "__version__",
+    "arrow_stream",
+    "calibrate",
+    "laws",
+    "materials",
+    "numeric_keys",
+    "rows",
+    "run",
+    "schema",
+    "table_of_csv",
+    "validated",
+]
+
+__version__: str
+
 # a table of a scenario: its values are numbers in SI units, texts with a unit, or inner tables
 _Keys = Mapping[str, Any]
 
@@ -20,8 +39,6 @@ _Array = list[Any] | tuple[Any, ...] | _HasArray
 # columns by their names: a dict of arrays, a Table, a DataFrame, a table of Arrow
 class _Columns(Protocol):
     def __getitem__(self, name: str, /) -> Any: ...
-
-__version__: str
 
 @final
 class Contact:

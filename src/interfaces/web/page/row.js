@@ -13,7 +13,7 @@ export function makeRow(first, materials, changed) {
   const label = element("label", { htmlFor: id, textContent: short(first) });
   input.setAttribute("aria-label", first.title);
   const unit = element("span", { id: `unit-${id}`, className: "unit" });
-  const about = element("p", { id: `about-${id}`, className: "about", textContent: first.about });
+  const about = element("p", { id: `about-${id}`, className: "about", textContent: first.description });
   const error = element("p", { id: `error-${id}`, className: "error", hidden: true });
   const line = element(
     "div",
@@ -50,7 +50,7 @@ export function makeRow(first, materials, changed) {
   // the key that the row is about, of two that stand in place of each other
   function show(other) {
     field = other;
-    about.textContent = field.about;
+    about.textContent = field.description;
     if (names) names.value = field.path;
     input.setAttribute("aria-label", field.title);
   }
@@ -89,7 +89,7 @@ export function makeRow(first, materials, changed) {
         input.append(new Option(known));
       input.value = known;
     }
-    if (key === "material") about.textContent = material ? material.title : field.about;
+    if (key === "material") about.textContent = material ? material.title : field.description;
     if (!field.words) input.placeholder = material?.values[field.path] ?? (field.default || `such as ${field.example}`);
     showUnit();
   }
