@@ -11,9 +11,12 @@ use plm_impact::scenario::{Kind, Scenario};
 const BODIES: &str = "[sphere]\nradius = 5e-3\nyoungs_modulus = 2.1e11\npoissons_ratio = 0.3\ndensity = 7850\n\
     [half_space]\nyoungs_modulus = 2.1e11\npoissons_ratio = 0.3\nyield_strength = 3.45e8\n";
 
+/// Measurements for a scenario of a calibration.
+const DATA: &str = "drop_height_m,rebound_height_m,restitution\n0.1,0.04,\n0.5,,0.5\n";
+
 /// Reads a scenario, up to the contact or the plan of its table.
 pub fn read_scenario(text: &str) -> Result<(), Error> {
-    let scenario = Scenario::from_text("s.toml", text, &[])?;
+    let scenario = Scenario::from_text("s.toml", text, &[])?.with_data(DATA.to_owned());
     match scenario.kind()? {
         Kind::Sweep | Kind::MonteCarlo => scenario.plan().map(drop),
         Kind::Calibrate => scenario.calibration_request().map(drop),
@@ -29,7 +32,7 @@ pub fn read_scenario(text: &str) -> Result<(), Error> {
 
 /// Reads measurements.
 pub fn read_measurements(text: &str) -> Result<(), Error> {
-    let calibrate = "[calibrate]\ndata = \"d.csv\"\nnoise = { restitution = 0.01, bounce_interval = 1e-3, contact_time = 1e-6 }\n\
+    let calibrate = "[calibrate]\ndata = \"d.csv\"\n\
         free = { \"half_space.yield_strength\" = { from = 1e8, to = 1e9 } }\n[gravity]\nacceleration = 9.81\n";
     let scenario = Scenario::from_text("s.toml", &format!("{BODIES}{calibrate}"), &[])?.with_data(text.to_owned());
     CalibrationTask::new(&scenario).map(drop)
