@@ -62,7 +62,7 @@ def test_damped_tables_match_sweep() -> None:
         (dict(speed=[[1, 2], [3]]), ValueError, "inhomogeneous"),
         (dict(speed=object()), TypeError, "found the type object"),
         (dict(speed="3 kg"), ValueError, "impact.speed: "),
-        (dict(speeed=1), ValueError, "`speeed` is no numeric key"),
+        (dict(speeed=1), ValueError, "`speeed` is not a numeric key"),
         (dict(speed=1, youngs_modulus=1e9), ValueError, "may be sphere_youngs_modulus or half_space_youngs_modulus"),
         (dict(yield_strength=1e9), ValueError, r"\[impact\] is missing"),
         (dict(speed=1, drop_height=1), ValueError, "impact.drop_height: replaces impact.speed"),
