@@ -7,7 +7,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use crate::contact::body::{HalfSpace, Material, Sphere};
+use crate::contact::body::{HalfSpace, Material, STEEL_DENSITY, Sphere};
 use crate::contact::law::published::{Loading, hertz_unloading};
 use crate::contact::law::{ContactLaw, Law, Plm};
 use crate::contact::strength::flow_curve::FlowCurve;
@@ -58,10 +58,6 @@ impl BenchProblem {
     }
 }
 
-/// Steel of P1 to P4.
-const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-const STEEL_DENSITY: f64 = 7850.0;
-
 /// q = v/V of a steel sphere at `speed` \[m/s\] under the laws of P2 to P4, whatever its radius.
 ///
 /// ```text
@@ -69,8 +65,8 @@ const STEEL_DENSITY: f64 = 7850.0;
 /// V² = (4/5) E*/(π ρ) (δ_Y/R)^2.5
 /// ```
 pub fn steel_speed_ratio(speed: f64) -> f64 {
-    let nu = STEEL.poissons_ratio;
-    let e_star = STEEL.youngs_modulus / (2.0 * (1.0 - nu * nu));
+    let nu = Material::STEEL.poissons_ratio;
+    let e_star = Material::STEEL.youngs_modulus / (2.0 * (1.0 - nu * nu));
     let contact_radius_ratio = PI * 1.6 * 345e6 / (2.0 * e_star); // √(δ_Y/R)
     speed / ((0.8 * e_star / (PI * STEEL_DENSITY)).sqrt() * pow(contact_radius_ratio, 2.5))
 }
@@ -88,8 +84,8 @@ pub fn stiff_law(k: f64) -> Law {
 
 /// The contact of a steel ball of 5 mm radius with steel of 345 MPa, under a law.
 pub fn steel_on_steel(law: &dyn ContactLaw) -> Result<Contact, ImpactError> {
-    let half_space = HalfSpace::flat(STEEL, Some(345e6));
-    Contact::try_new(Sphere::elastic(5e-3, STEEL, STEEL_DENSITY), half_space, law)
+    let half_space = HalfSpace::flat(Material::STEEL, Some(345e6));
+    Contact::try_new(Sphere::elastic(5e-3, Material::STEEL, STEEL_DENSITY), half_space, law)
 }
 
 /// That ball at this speed on a half-space of 345 MPa that hardens by this power of the strain.
@@ -139,7 +135,7 @@ pub fn problems() -> Result<Vec<BenchProblem>, ImpactError> {
         Sphere::elastic(radius, Material { youngs_modulus, poissons_ratio: 0.3 }, STEEL_DENSITY)
     };
     let plm = |name, about, sphere, yield_strength, speed, restitution, contact_time| {
-        let half_space = HalfSpace::flat(STEEL, Some(yield_strength));
+        let half_space = HalfSpace::flat(Material::STEEL, Some(yield_strength));
         let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
         let (scales, law, q) = contact.scaling(speed)?;
         Ok::<_, ImpactError>(BenchProblem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))

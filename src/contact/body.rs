@@ -14,11 +14,17 @@ pub struct Material {
 }
 
 impl Material {
+    /// The steel of benchmarks and of validation.
+    pub(crate) const STEEL: Self = Self { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+
     /// Plane-strain modulus E/(1 − ν²) \[Pa\] (Xie et al. 2024, Eq. 6); infinite for a rigid body.
     pub fn plane_strain_modulus(&self) -> f64 {
         self.youngs_modulus / (1.0 - self.poissons_ratio * self.poissons_ratio)
     }
 }
+
+/// Density of that steel \[kg/m³\].
+pub(crate) const STEEL_DENSITY: f64 = 7850.0;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sphere {

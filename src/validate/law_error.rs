@@ -5,8 +5,7 @@ use std::fmt::Write as _;
 
 use super::cases::cases;
 use super::comparison::{deviation, mean};
-use super::hardening::load_cycle_at_work;
-use super::quasi_static::restitution;
+use super::load_cycle::LoadCycle;
 use super::{dynamic, yielding};
 use crate::contact::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
@@ -30,15 +29,15 @@ pub fn cycle_errors(coefficients: &PlmCoefficients, exponent: UnloadingExponent)
     for case in cases()? {
         let law = case.law(coefficients, exponent);
         errors.extend(case.cycles.iter().filter_map(|cycle| {
-            let error = deviation(cycle.row.optional_number("restitution")?, restitution(&law, cycle.peak.indentation));
+            let by_law = LoadCycle::to_depth(&law, cycle.peak.indentation);
+            let error = deviation(cycle.row.optional_number("restitution")?, by_law.restitution);
             Some((BodyClass::PerfectlyPlastic, cycle.row.number("contact_radius_over_R"), error))
         }));
     }
     for row in HARDENING.rows()? {
         let Some(bodies) = row.bodies()? else { continue };
         let plm = Plm { flow: [None, row.curve()], ..Plm::new(coefficients, exponent) };
-        let cycle =
-            load_cycle_at_work(&plm.law_for_yielding_pair(&bodies), bodies.yield_radius_ratio(), row.number("spent"));
+        let cycle = LoadCycle::with_work(&plm.law_for_yielding_pair(&bodies), row.number("spent"));
         let error = deviation(row.number("restitution"), cycle.restitution);
         errors.push((BodyClass::Hardening, row.number("contact_radius_over_R"), error));
     }

@@ -4,7 +4,7 @@
 //! other masses, speeds and tips, is predicted with the exponent "pressure-shape" and elastic waves.
 
 use super::comparison::{Comparison, Group};
-use crate::contact::body::{HalfSpace, Material, Sphere, sphere_volume};
+use crate::contact::body::{HalfSpace, Material, STEEL_DENSITY, Sphere, sphere_volume};
 use crate::contact::law::plm::hardness_test::strength_of_hardness;
 use crate::contact::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::contact::strength::hardness::HardnessScale;
@@ -18,8 +18,6 @@ const REFERENCE: &str = "Leeb test blocks, nominal values of public manuals, lee
 
 /// Radius of the tip \[m\].
 const TIP: f64 = 1.5e-3;
-const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-const STEEL_DENSITY: f64 = 7850.0;
 
 const GROUP: Group = Group::new("measured: rebound of Leeb devices", REFERENCE, "");
 
@@ -32,7 +30,7 @@ pub(super) fn restitution(device: &ReferenceRow, strength: f64, coefficients: &P
     let [youngs_modulus, poissons_ratio] =
         ["tip_youngs_modulus_Pa", "tip_poissons_ratio"].map(|column| device.number(column));
     let sphere = Sphere::elastic(TIP, Material { youngs_modulus, poissons_ratio }, mass / sphere_volume(TIP));
-    let half_space = HalfSpace { density: Some(STEEL_DENSITY), ..HalfSpace::flat(STEEL, Some(strength)) };
+    let half_space = HalfSpace { density: Some(STEEL_DENSITY), ..HalfSpace::flat(Material::STEEL, Some(strength)) };
     let law = Plm::new(coefficients, UnloadingExponent::PressureShape);
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form((2.0 * energy / mass).sqrt())?;
     Ok(impact.measured_restitution())
@@ -63,7 +61,7 @@ pub(super) fn restitutions_by_hardness(coefficients: &PlmCoefficients) -> Result
         let (number, hardness) = (f64::from(number), vickers(number.into()));
         let pressure =
             HardnessScale::Vickers.mean_pressure(hardness).map_err(|error| Error::failed(error.to_string()))?;
-        let strength = strength_of_hardness(pressure, None, &STEEL);
+        let strength = strength_of_hardness(pressure, None, &Material::STEEL);
         let numbers = [number / 1000.0, restitution(device, strength, coefficients)?];
         Ok(BY_HARDNESS.compare(format!("{hardness:.0} HV"), numbers))
     };

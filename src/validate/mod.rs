@@ -12,6 +12,7 @@ mod hardening;
 pub mod law_error;
 pub mod laws;
 mod leeb;
+mod load_cycle;
 mod oblique;
 mod pictures;
 mod quasi_static;

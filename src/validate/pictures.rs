@@ -6,10 +6,10 @@ use super::cases::{MaterialCase, cases};
 use super::comparison::{EXPONENTS, deviation};
 use super::dynamic;
 use super::figure_10::figure_10;
-use super::hardening::{hardening_law, load_cycle_at_work};
+use super::hardening::hardening_law;
 use super::leeb::restitution as of_device;
+use super::load_cycle::LoadCycle;
 use super::oblique::{FRICTION, alumina_on_glass, rebound};
-use super::quasi_static::restitution;
 use super::yielding::yielding_cycles;
 use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
@@ -67,7 +67,7 @@ fn restitution_error_against_depth(cases: &[MaterialCase], coefficients: &PlmCoe
     let of_exponent = |(which, (exponent, name)): (usize, (_, &str))| {
         let of_case = |(i, case): (usize, &MaterialCase)| {
             let law = case.law(coefficients, exponent);
-            let off = |x, e| (x, 100.0 * deviation(e, restitution(&law, x)));
+            let off = |x, e| (x, 100.0 * deviation(e, LoadCycle::to_depth(&law, x).restitution));
             let points = case
                 .cycles
                 .iter()
@@ -95,7 +95,7 @@ fn restitution_against_depth(case: &MaterialCase, coefficients: &PlmCoefficients
     let mut series = vec![Series::points("finite elements", cycles.collect())];
     for (i, (exponent, name)) in EXPONENTS.into_iter().enumerate() {
         let law = case.law(coefficients, exponent);
-        let curve = log_sampled(1.1 * deepest, |x| (x, restitution(&law, x)));
+        let curve = log_sampled(1.1 * deepest, |x| (x, LoadCycle::to_depth(&law, x).restitution));
         series.push(Series::line(format!("law, {name}"), curve).with_style(i + 1));
     }
     let y = Axis::linear("Restitution e", "").with_range(0.15, 1.02);
@@ -160,9 +160,8 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
         let deepest = points.iter().map(|point| point.0).fold(1.0, f64::max);
         series.push(Series::points(called, points).with_style(i));
         for (which, hardens) in [true, false].into_iter().enumerate() {
-            let Some((law, ratio)) = hardening_law(materials, coefficients, hardens)? else { continue };
-            let curve =
-                log_sampled(1.2 * deepest, |x| (x, load_cycle_at_work(&law, ratio, law.loading.work(x)).restitution));
+            let Some((law, _)) = hardening_law(materials, coefficients, hardens)? else { continue };
+            let curve = log_sampled(1.2 * deepest, |x| (x, LoadCycle::to_depth(&law, x).restitution));
             series.push(Series::line("", curve).with_style(Style::new(i).with_line_of_branch(which)));
         }
     }
@@ -185,7 +184,10 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[MaterialCase]) -> Result<Pi
     let mut add = |called: &str, law: &Law, ratio: f64, points: Vec<(f64, f64)>, deepest: f64| {
         let style = series.len() / 2;
         series.push(Series::points(called, points).with_style(style));
-        let at = |x| (law.contact_radius(&law.loaded_state(x)) * ratio, restitution(law, x));
+        let at = |x| {
+            let cycle = LoadCycle::to_depth(law, x);
+            (cycle.contact_radius * ratio, cycle.restitution)
+        };
         series.push(Series::line("", log_sampled(1.1 * deepest, at)).with_style(style));
     };
     for case in cases.iter().filter(|case| case.loading.case == "case3") {

@@ -1,8 +1,8 @@
 //! Bodies of which the sphere yields, or both: load cycles of finite elements, and two equal balls against a ball on a wall.
 
 use super::comparison::{self, ComparedQuantity, Comparison, Group};
-use super::hardening::{LoadCycle, load_cycle_at_work};
-use crate::contact::body::{HalfSpace, Material, Sphere, Support};
+use super::load_cycle::LoadCycle;
+use crate::contact::body::{HalfSpace, Material, STEEL_DENSITY, Sphere, Support};
 use crate::contact::law::{Law, Plm, PlmCoefficients, UnloadingExponent, YieldingPair};
 use crate::contact::pair::{Pair, PairError};
 use crate::error::Error;
@@ -33,13 +33,9 @@ impl YieldingCycle {
         let Some(bodies) = YieldingPair::new(&pair(&row)?) else { return Ok(None) };
         let law = Plm::new(coefficients, exponent).law_for_yielding_pair(&bodies);
         let point = bodies.yield_point;
-        let at_energy = load_cycle_at_work(
-            &law,
-            bodies.yield_radius_ratio(),
-            row.number("W_J") / (point.force * point.indentation),
-        );
+        let at_work = LoadCycle::with_work(&law, row.number("W_J") / (point.force * point.indentation));
         let at_depth = row.number("delta_m") / point.indentation;
-        Ok(Some(Self { row, law, bodies, at_depth, at_work: at_energy }))
+        Ok(Some(Self { row, law, bodies, at_depth, at_work }))
     }
 }
 
@@ -109,10 +105,9 @@ const WALLS: [(&str, f64); 2] = [("equally strong wall", 1.0), ("much harder wal
 /// Two equal balls, and one of them on a flat wall of its modulus at the same closing speed. Waves, which only the wall has, are
 /// left out.
 pub(super) fn equal_balls(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let (radius, density, strength) = (5e-3, 7850.0, 345e6);
-    let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-    let ball = Sphere { yield_strength: Some(strength), ..Sphere::elastic(radius, steel, density) };
-    let wall = |strength| HalfSpace { density: Some(density), ..HalfSpace::flat(steel, Some(strength)) };
+    let (radius, density, strength) = (5e-3, STEEL_DENSITY, 345e6);
+    let ball = Sphere { yield_strength: Some(strength), ..Sphere::elastic(radius, Material::STEEL, density) };
+    let wall = |strength| HalfSpace { density: Some(density), ..HalfSpace::flat(Material::STEEL, Some(strength)) };
     let law = Plm::new(coefficients, UnloadingExponent::PressureShape);
     let on_ball =
         Contact::try_new(ball, HalfSpace { radius: Some(radius), support: Support::Ball, ..wall(strength) }, &law)?;

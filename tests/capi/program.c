@@ -55,8 +55,8 @@ static void rated(void) {
     double memory[3] = {0.0, 0.0, 0.0}, restitution;
     double time = plm_contact_time(own, 3.0, &restitution);
     double down = plm_contact_force(own, 30e-6, memory), up = plm_contact_force(own, 29e-6, memory);
-    printf("rated %016" PRIx64 " %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(time), bits(restitution), bits(down),
-           bits(up));
+    printf("rated %016" PRIx64 " %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(time), bits(restitution),
+           bits(down), bits(up));
     plm_contact_free(own);
     refused(BODIES, 512);
 }
@@ -65,8 +65,8 @@ static void rated(void) {
 static void rubbed(void) {
     double memory[3] = {0.0, 0.0, 0.0}, history[3] = {0.0, 0.0, 0.0}, previous_indentation = 0.0;
     for (int step = 0; step < STEPS; step++) {
-        double indentation = path(step), slip[3] = {2e-8, step < STEPS / 2 ? 1e-8 : -3e-8, 0.0};
-        double force = plm_contact_force(contact, indentation, memory);
+        const double slip[3] = {2e-8, step < STEPS / 2 ? 1e-8 : -3e-8, 0.0};
+        double indentation = path(step), force = plm_contact_force(contact, indentation, memory);
         if (plm_contact_friction(contact, 0.2, previous_indentation, indentation, force, memory, slip, history) != 0) {
             puts("friction fails");
         }
@@ -82,7 +82,8 @@ static void rubbed(void) {
                    plm_contact_friction(contact, 0.2, 0.0, 1e-6, 1.0, NULL, kept, history);
     /* a coefficient, a slip, a force, an indentation, a memory that no contact has */
     const double wrong[] = {NAN, INFINITY, -INFINITY, -0.1};
-    double slip[3] = {2e-8, 0.0, 0.0}, lost[3] = {0.0, 0.0, 0.0}, empty[3] = {1e-6, -1.0, 0.0};
+    const double slip[3] = {2e-8, 0.0, 0.0}, empty[3] = {1e-6, -1.0, 0.0};
+    double lost[3] = {0.0, 0.0, 0.0};
     for (int i = 0; i < 4; i++) {
         failures += plm_contact_friction(contact, wrong[i], 1e-6, 1e-6, 1.0, memory, slip, history);
     }
@@ -129,10 +130,12 @@ int main(int count, char **arguments) {
     refused("sphere = { radius = \"-5 mm\" }", 512);
     refused("sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n"
             "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }\n"
-            "gravity = { acceleration = 9.81 }\n", 512);
+            "gravity = { acceleration = 9.81 }\n",
+            512);
     refused("sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n"
             "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }\n"
-            "sweep.\"impact.speed\" = [1.0, 2.0]\n", 512);
+            "sweep.\"impact.speed\" = [1.0, 2.0]\n",
+            512);
     puts(plm_contact_open("no-such-file.toml", error, sizeof error) == NULL ? error : "accepted");
     refused(NULL, 512);
     refused(NULL, 10);
@@ -146,25 +149,28 @@ int main(int count, char **arguments) {
     for (int i = 0; i < 3; i++) {
         double kept[3] = {0.0, 0.0, 0.0};
         plm_contact_force(contact, 20e-6, kept);
-        double before[3] = {kept[0], kept[1], kept[2]};
+        const double before[3] = {kept[0], kept[1], kept[2]};
         spoilt |= !isnan(plm_contact_force(contact, hostile[i], kept)) || memcmp(kept, before, sizeof kept) != 0;
         for (int part = 0; part < 3; part++) {
             double lost[3] = {kept[0], kept[1], kept[2]};
             lost[part] = hostile[i];
-            spoilt |= !isnan(plm_contact_force(contact, 30e-6, lost)) || !isnan(plm_contact_stiffness(contact, 1e-6, lost));
+            spoilt |=
+                !isnan(plm_contact_force(contact, 30e-6, lost)) || !isnan(plm_contact_stiffness(contact, 1e-6, lost));
         }
     }
     puts(spoilt ? "a memory is spoilt" : "no memory is spoilt");
-    printf("validated_indentation %016" PRIx64 "\nwaves %016" PRIx64 "\n", bits(plm_contact_validated_indentation(contact)),
-           bits(plm_contact_restitution_with_waves(waves, 3.0)));
+    printf("validated_indentation %016" PRIx64 "\nwaves %016" PRIx64 "\n",
+           bits(plm_contact_validated_indentation(contact)), bits(plm_contact_restitution_with_waves(waves, 3.0)));
     printf("%d %d %d\n", isnan(plm_contact_restitution_with_waves(contact, 3.0)),
            isnan(plm_contact_restitution_with_waves(NULL, 3.0)), isnan(plm_contact_validated_indentation(NULL)));
     plm_contact_free((plm_contact *)waves);
 
-    /* the effective radius is that of the sphere on a flat half-space, and less on a convex one: 5 mm on 15 mm has 3.75 mm */
+    /* the effective radius is that of the sphere on a flat half-space, and less on a convex one: 5 mm on 15 mm has 3.75
+     * mm */
     plm_contact *convex = plm_contact_from_toml(
         "sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n"
-        "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, radius = \"15 mm\" }\n", error, sizeof error);
+        "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, radius = \"15 mm\" }\n",
+        error, sizeof error);
     printf("radii %d %.12g %.12g\n", plm_contact_effective_radius(contact) == plm_contact_radius(contact),
            plm_contact_radius(convex), plm_contact_effective_radius(convex));
     plm_contact_free(convex);
@@ -196,11 +202,13 @@ int main(int count, char **arguments) {
     }
     puts(differ ? "threads differ" : "threads agree");
     /* of three contacts that in the middle has no force, and the others have theirs */
-    double three[9] = {0.0}, depths[3] = {30e-6, NAN, 30e-6}, loads[3] = {0.0};
+    const double depths[3] = {30e-6, NAN, 30e-6};
+    double three[9] = {0.0}, loads[3] = {0.0};
     int one_failed = plm_contact_forces(contact, 3, depths, three, loads);
     int is_right = loads[0] > 0.0 && isnan(loads[1]) && loads[2] == loads[0] && three[3] == 0.0 && three[6] == three[0];
-    printf("forces %d %d %d %d %d %d\n", failed, one_failed, is_right, plm_contact_forces(contact, 3, NULL, three, loads),
-           plm_contact_forces(NULL, 0, depths, three, loads), plm_contact_forces(contact, 0, NULL, NULL, NULL));
+    printf("forces %d %d %d %d %d %d\n", failed, one_failed, is_right,
+           plm_contact_forces(contact, 3, NULL, three, loads), plm_contact_forces(NULL, 0, depths, three, loads),
+           plm_contact_forces(contact, 0, NULL, NULL, NULL));
     printf("version %s %s %d\n", PLM_IMPACT_VERSION, plm_impact_version(), PLM_IMPACT_VERSION_MAJOR);
     /* of the same contact, of another one, and of none */
     plm_contact *again = plm_contact_open(arguments[1], error, sizeof error);

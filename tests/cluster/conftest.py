@@ -5,8 +5,6 @@ import re
 import subprocess
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).parents[2]
 STEEL = (ROOT / "scenarios" / "steel-on-steel.toml").read_text().split("[solver]")[0]
 SWEEP = """
@@ -50,4 +48,6 @@ class Desk:
     def is_whole(self) -> bool:
         """Whether the table of the shards has the bytes of one run."""
         self.run(f"plm-impact run {self.name}.toml --out whole-{self.name} --quiet")
-        return (self.folder / self.name / "table.csv").read_bytes() == (self.folder / f"whole-{self.name}" / "table.csv").read_bytes()
+        return (self.folder / self.name / "table.csv").read_bytes() == (
+            self.folder / f"whole-{self.name}" / "table.csv"
+        ).read_bytes()

@@ -6,7 +6,6 @@ Where Slurm is not installed, Debian's packages are unpacked into target/slurm, 
 from __future__ import annotations
 
 import getpass
-import os
 import shutil
 import socket
 import subprocess

@@ -6,6 +6,7 @@ pub mod golden;
 pub mod picture;
 pub mod prelude;
 pub mod reference;
+pub mod untrusted;
 
 use std::cell::Cell;
 use std::ops::Range;
@@ -21,7 +22,7 @@ use plm_impact::scenario::input::Input;
 use plm_impact::table::evaluator::{Evaluator, Rows};
 use proptest::prop_oneof;
 use proptest::strategy::{Just, Strategy};
-use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
+use proptest::test_runner::{Config, FileFailurePersistence, RngSeed, TestCaseError, TestRunner};
 
 /// A sphere of steel with 5 mm radius on the same steel, at 3 m/s: a scenario to which tests add tables.
 pub const STEEL: &str = r#"[sphere]
@@ -71,6 +72,9 @@ pub fn rows_of(text: &str, set: &[impl ToString]) -> Rows {
 /// the random scenes (tolerances 1e-6 to 1e-13), rounded up.
 pub const STEPPING: [(Method, f64); 3] = [(Method::Rk8, 10.0), (Method::Dopri5, 10.0), (Method::Dop853, 10.0)];
 
+/// A random case that fails is written into this file, to be committed with its cure. Every property begins with the cases in it.
+const KNOWN_FAILURES: FileFailurePersistence = FileFailurePersistence::Direct("tests/proptest-regressions.txt");
+
 /// Settings of a property test: `count` random cases, which are the same in every run. For a wider search, set other
 /// cases by `PROPTEST_RNG_SEED` and their number by `PROPTEST_CASES`.
 pub fn proptest_config(count: u32) -> Config {
@@ -80,7 +84,7 @@ pub fn proptest_config(count: u32) -> Config {
         chosen @ RngSeed::Fixed(_) => chosen,
     };
     let cases = if std::env::var_os("PROPTEST_CASES").is_some() { from_environment.cases } else { count };
-    Config { cases, rng_seed, failure_persistence: None, ..from_environment }
+    Config { cases, rng_seed, failure_persistence: Some(Box::new(KNOWN_FAILURES)), ..from_environment }
 }
 
 /// Checks a property on `count` random cases, and returns in how many of them it could be judged: `property` is true

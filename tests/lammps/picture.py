@@ -30,12 +30,23 @@ def draw(plugin: Path) -> None:
     kinetic, _, stored, plastic = np.delete(energies(output), 17, axis=0).T
     time = 1e6 * 4e-8 * 50 * np.arange(kinetic.size)
     parts = [kinetic, stored, plastic]
-    right.stackplot(time, np.array(parts) / kinetic[0], labels=["kinetic", "stored in contacts", "gone into dents"],
-                    colors=["#56b4e9", "#f0e442", "#d55e00"])
-    right.set(xlabel="time [µs]", ylabel="share of the energy", title="Where the energy of the rain is", ylim=(0, 1.02),
-              xlim=(0, time[-1]))
+    right.stackplot(
+        time,
+        np.array(parts) / kinetic[0],
+        labels=["kinetic", "stored in contacts", "gone into dents"],
+        colors=["#56b4e9", "#f0e442", "#d55e00"],
+    )
+    right.set(
+        xlabel="time [µs]",
+        ylabel="share of the energy",
+        title="Where the energy of the rain is",
+        ylim=(0, 1.02),
+        xlim=(0, time[-1]),
+    )
     right.legend(loc="lower left")
-    left.set(xlabel="impact speed [m/s]", ylabel="restitution e", title="2000 steel spheres of three sizes on a steel wall")
+    left.set(
+        xlabel="impact speed [m/s]", ylabel="restitution e", title="2000 steel spheres of three sizes on a steel wall"
+    )
     left.legend(frameon=False)
     left.grid(alpha=0.3)
     figure.savefig(ROOT / "plots/lammps/rain.png")

@@ -22,7 +22,10 @@ def command(request: pytest.FixtureRequest) -> Path:
     build = ["cargo", "test", "--no-run", "--test", "table"]
     target = ROOT / os.environ.get("CARGO_TARGET_DIR", "target")
     with request.config.pluginmanager.getplugin("capturemanager").global_and_fixture_disabled():
-        print(f"\nbuilding the command in {target}, which takes some minutes the first time: {' '.join(build)}", flush=True)
+        print(
+            f"\nbuilding the command in {target}, which takes some minutes the first time: {' '.join(build)}",
+            flush=True,
+        )
         subprocess.run(build, cwd=ROOT, check=True)
     return target / "debug" / "plm-impact"
 

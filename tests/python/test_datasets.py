@@ -31,9 +31,7 @@ def clone(tmp_path_factory: pytest.TempPathFactory, command: Path) -> Path:
 
 
 @pytest.mark.parametrize("code", blocks("python"), ids=["duckdb", "polars", "datafusion"])
-def test_lines_of_page_match_csv_table(
-    code: str, clone: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_lines_of_page_match_csv_table(code: str, clone: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(clone)
     names: dict[str, object] = {}
     exec(code, names)

@@ -28,8 +28,12 @@ def test_the_example_draws_e_against_v(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "page, heading",
-    [("README.md", "## Python\n"), ("src/registry.md", "## The Python module\n"), ("scenarios/tables.md", "## From Python\n")],
+    ("page", "heading"),
+    [
+        ("README.md", "## Python\n"),
+        ("src/registry.md", "## The Python module\n"),
+        ("scenarios/tables.md", "## From Python\n"),
+    ],
 )
 def test_python_of_pages_runs_without_warnings(page: str, heading: str) -> None:
     _, block = (ROOT / page).read_text().split(heading)[1].split("\n## ")[0].split("```python\n")
@@ -56,7 +60,7 @@ def test_wheel_has_licences_of_linked_crates() -> None:
 
 
 def test_the_wheel_shows_the_page_for_registries() -> None:
-    assert metadata.metadata("plm-impact").get_payload().strip() == (ROOT / "src" / "registry.md").read_text().strip()
+    assert metadata.metadata("plm-impact")["Description"].strip() == (ROOT / "src" / "registry.md").read_text().strip()
 
 
 def test_dask_table_matches_undivided_table() -> None:
@@ -80,6 +84,11 @@ def test_mypy_rejects_misspelt_and_assigned_results(tmp_path: Path) -> None:
     lines += ["    print(impact.peak_force_N, impact.energy, impact.restitution)", "    print(impact.peak_forse_N)"]
     lines += ["    impact.restitution = 1.0", "    impact.peak_force_N = 1.0", "    table.shape = (1,)"]
     program.write_text("\n".join(lines) + "\n")
-    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", tmp_path, program], capture_output=True, text=True, cwd=tmp_path)
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", tmp_path, program],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
     places = sorted({int(number) for number in re.findall(r"^wrong.py:(\d+): error", done.stdout, re.M)})
     assert places == [4, 5, 6, 7], done.stdout

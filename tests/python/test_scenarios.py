@@ -94,7 +94,9 @@ def test_dict_is_read_like_file() -> None:
     path = ROOT / "scenarios" / "steel-on-steel.toml"
     tables = dict(
         sphere=dict(radius="5 mm", youngs_modulus="210 GPa", poissons_ratio=0.3, density="7850 kg/m^3"),
-        half_space=dict(youngs_modulus="210 GPa", poissons_ratio=np.float64(0.3), yield_strength="345 MPa", strength_kind="flow"),
+        half_space=dict(
+            youngs_modulus="210 GPa", poissons_ratio=np.float64(0.3), yield_strength="345 MPa", strength_kind="flow"
+        ),
         impact=dict(speed=np.int64(3)),
         law=dict(plm=dict(unloading_exponent="pressure-shape")),
     )
@@ -152,8 +154,16 @@ def frames(columns: dict[str, np.ndarray]) -> list[object]:
 @pytest.mark.filterwarnings("error")
 def test_measurements_of_frame_match_file(contact: plm.Contact, tmp_path: Path) -> None:
     path = ROOT / "scenarios" / "calibrate-ball-drop.toml"
-    names, *rows = [line.split(",") for line in (ROOT / "scenarios" / "drops.csv").read_text().splitlines() if not line.startswith("#")]
-    columns = {name: np.array([float(field or "nan") for field in column]) for name, column in zip(names, zip(*rows)) if name != "note"}
+    names, *rows = [
+        line.split(",")
+        for line in (ROOT / "scenarios" / "drops.csv").read_text().splitlines()
+        if not line.startswith("#")
+    ]
+    columns = {
+        name: np.array([float(field or "nan") for field in column])
+        for name, column in zip(names, zip(*rows))
+        if name != "note"
+    }
     of_file = plm.run(path)
     with_text = {**columns, "note": np.array(["as dropped"] * len(rows))}
     for data in [*frames(columns), *frames(with_text)]:
@@ -188,8 +198,11 @@ def test_masked_and_missing_columns_are_refused() -> None:
 def test_warning_points_at_line_of_caller(contact: plm.Contact) -> None:
     # one value for two keys that cannot be told apart
     data = dict(drop_height_mm=[50.0, 100.0, 200.0], restitution=[0.61, 0.52, 0.48])
-    free = {"half_space.yield_strength": {"from": 1e8, "to": 1e9}, "half_space.youngs_modulus": {"from": 1e11, "to": 4e11}}
-    with pytest.warns(UserWarning) as caught:
+    free = {
+        "half_space.yield_strength": {"from": 1e8, "to": 1e9},
+        "half_space.youngs_modulus": {"from": 1e11, "to": 4e11},
+    }
+    with pytest.warns(plm.ModelWarning) as caught:
         plm.calibrate(ROOT / "scenarios" / "calibrate-ball-drop.toml", data, set={"calibrate.free": free})
     assert {Path(warning.filename).name for warning in caught} == {Path(__file__).name}
 

@@ -118,7 +118,9 @@ def test_program_accepts_what_schema_accepts(
 
 
 def test_examples_of_schema_match_their_pattern(validator: jsonschema.protocols.Validator) -> None:
-    forms = [form for quantity in validator.schema["$defs"].values() for form in quantity["anyOf"] if "examples" in form]
+    forms = [
+        form for quantity in validator.schema["$defs"].values() for form in quantity["anyOf"] if "examples" in form
+    ]
     examples = [(form, example) for form in forms for example in form["examples"] if example]
     assert len(examples) > 30
     for form, example in examples:

@@ -68,8 +68,16 @@ def test_damped_tables_match_sweep() -> None:
         (dict(speed=1, drop_height=1), ValueError, "impact.drop_height: replaces impact.speed"),
         (dict(speed=1, stiffness_ratio=0.5), ValueError, "no case uses this law"),
         (dict(speed=1, law="thornton"), TypeError, "law: words are not broadcast; make a Contact for each"),
-        ({"speed": [1, 2], "impact.speed": [3, 4]}, ValueError, "impact.speed: is given twice, as speed and as impact.speed"),
-        (dict(radius=1e-3, sphere_radius=2e-3, speed=1), ValueError, "sphere.radius: is given twice, as radius and as sphere_radius"),
+        (
+            {"speed": [1, 2], "impact.speed": [3, 4]},
+            ValueError,
+            "impact.speed: is given twice, as speed and as impact.speed",
+        ),
+        (
+            dict(radius=1e-3, sphere_radius=2e-3, speed=1),
+            ValueError,
+            "sphere.radius: is given twice, as radius and as sphere_radius",
+        ),
         (dict(radius=1e-3, diameter=2e-3, speed=1), ValueError, "replaces"),
         ({}, ValueError, "no key is given"),
     ],
@@ -84,13 +92,25 @@ def test_forbidden_value_fails_only_its_row(contact: plm.Contact) -> None:
     good = [0, 2]
     for damping in ({}, dict(damping=dict(viscous=0.05))):
         one = steel(**damping)
-        with pytest.warns(plm.ModelWarning, match=r"impact.speed at index 1: NaN m/s is not allowed.*\n4 of 6 cases have no result, the first: not_allowed"):
+        with pytest.warns(
+            plm.ModelWarning,
+            match=r"impact.speed at index 1: NaN m/s is not allowed.*\n4 of 6 cases have no result, the first: not_allowed",
+        ):
             table = plm.impacts(one, speed=speeds)
-        with pytest.warns(plm.ModelWarning, match=r"impact.speed at index 1: NaN m/s is not allowed.*\n4 of 6 cases have no result, the first: not_allowed"):
+        with pytest.warns(
+            plm.ModelWarning,
+            match=r"impact.speed at index 1: NaN m/s is not allowed.*\n4 of 6 cases have no result, the first: not_allowed",
+        ):
             restitution = one.restitution(speeds)
         assert table["status"].tolist() == ["ok", "not_allowed", "ok", "not_allowed", "not_allowed", "not_allowed"]
-        assert np.isnan(restitution).tolist() == np.isnan(table["restitution"]).tolist() == [row not in good for row in range(6)]
-        assert table["restitution"][good].tolist() == restitution[good].tolist() == one.restitution(speeds[good]).tolist()
+        assert (
+            np.isnan(restitution).tolist()
+            == np.isnan(table["restitution"]).tolist()
+            == [row not in good for row in range(6)]
+        )
+        assert (
+            table["restitution"][good].tolist() == restitution[good].tolist() == one.restitution(speeds[good]).tolist()
+        )
         # the keys are given back as they came
         assert np.array_equal(table["impact_speed_m_per_s"], speeds, equal_nan=True)
     # of two axes, and of numbers that a sampler gives
@@ -131,7 +151,10 @@ def test_table_beyond_memory_is_refused(contact: plm.Contact) -> None:
 
 
 def test_the_help_names_every_column() -> None:
-    waves = plm.impacts(steel(half_space=dict(yield_strength="345 MPa", density=7850, youngs_modulus=210e9, poissons_ratio=0.3)), speed=[1.0])
+    waves = plm.impacts(
+        steel(half_space=dict(yield_strength="345 MPa", density=7850, youngs_modulus=210e9, poissons_ratio=0.3)),
+        speed=[1.0],
+    )
     named = set(re.findall(r"`(\w+)`", plm.impacts.__doc__))
     assert set(waves) <= named and {"impact_speed_m_per_s", "restitution_with_waves", "dent_diameter_m"} <= set(waves)
 
@@ -149,8 +172,13 @@ def test_rows_have_the_interval_of_e_and_the_speed_of_the_body_that_is_hit() -> 
     strength = steel(half_space=dict(yield_strength="345 MPa", youngs_modulus=210e9, poissons_ratio=0.3))
     assert "restitution_interval_low" not in plm.impacts(strength, speed=1.0)
     # two equal balls: that which is hit moves on at (1 + e)/2 of the speed, by the momentum
-    struck = dict(radius="5 mm", mass="ball", density=7850, yield_strength="345 MPa", youngs_modulus=210e9, poissons_ratio=0.3)
-    pair = steel(half_space=struck, sphere=dict(radius="5 mm", density=7850, yield_strength="345 MPa", youngs_modulus=210e9, poissons_ratio=0.3))
+    struck = dict(
+        radius="5 mm", mass="ball", density=7850, yield_strength="345 MPa", youngs_modulus=210e9, poissons_ratio=0.3
+    )
+    pair = steel(
+        half_space=struck,
+        sphere=dict(radius="5 mm", density=7850, yield_strength="345 MPa", youngs_modulus=210e9, poissons_ratio=0.3),
+    )
     rows = plm.impacts(pair, speed=[1.0, 3.0])
     moved = 0.5 * (1.0 + rows["restitution"]) * rows["impact_speed_m_per_s"]
     assert np.allclose(rows["target_speed_m_per_s"], moved, rtol=1e-12)
@@ -176,8 +204,16 @@ def test_call_warns_once_with_own_class() -> None:
     speeds = np.logspace(-3, 2, 50)
     sweep = {"impact.speed": speeds.tolist()}
     bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
-    tables = dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=dict(yield_strength=345e6, **bodies), law=dict(stronge={}))
-    calls = [lambda: contact.restitution(speeds), lambda: plm.impacts(contact, speed=speeds), lambda: plm.run({**tables, "sweep": sweep})]
+    tables = dict(
+        sphere=dict(radius=5e-3, density=7850, **bodies),
+        half_space=dict(yield_strength=345e6, **bodies),
+        law=dict(stronge={}),
+    )
+    calls = [
+        lambda: contact.restitution(speeds),
+        lambda: plm.impacts(contact, speed=speeds),
+        lambda: plm.run({**tables, "sweep": sweep}),
+    ]
     for call in calls:
         with pytest.warns() as caught:
             call()
@@ -204,14 +240,21 @@ def test_xarray_dataset_has_keys_as_dimensions(contact: plm.Contact) -> None:
     # a key along two axes names none
     both = plm.impacts(contact, speed=np.outer([1.0, 2.0], speeds + 1)).to_xarray()
     assert both["restitution"].dims == both.coords["impact_speed_m_per_s"].dims == ("dim_0", "dim_1")
-    assert plm.impacts(contact, speed=3).to_xarray().sizes == {} and plm.impacts(contact, speed=[]).to_xarray().sizes == {"impact_speed_m_per_s": 0}
+    assert plm.impacts(contact, speed=3).to_xarray().sizes == {} and plm.impacts(
+        contact, speed=[]
+    ).to_xarray().sizes == {"impact_speed_m_per_s": 0}
     swept = plm.run(ROOT / "scenarios" / "restitution-vs-speed.toml").tables["table"]
     assert list(swept.to_xarray().sizes.values()) == [len(swept)]
 
 
 def test_a_package_that_is_missing_is_named(contact: plm.Contact, monkeypatch: pytest.MonkeyPatch) -> None:
     table = plm.impacts(contact, speed=3)
-    for name, method in [("pandas", table.to_pandas), ("polars", table.to_polars), ("pyarrow", table.to_arrow), ("xarray", table.to_xarray)]:
+    for name, method in [
+        ("pandas", table.to_pandas),
+        ("polars", table.to_polars),
+        ("pyarrow", table.to_arrow),
+        ("xarray", table.to_xarray),
+    ]:
         monkeypatch.setitem(sys.modules, name, None)
         with pytest.raises(ImportError, match=f"needs {name}: pip install {name}"):
             method()
@@ -233,7 +276,9 @@ def test_dataframe_libraries_read_table_in_place(contact: plm.Contact) -> None:
     rows.append(pandas.DataFrame(dict(fresh)).to_dict("list"))
     if hasattr(pandas.DataFrame, "from_arrow"):
         rows.append(pandas.DataFrame.from_arrow(fresh).to_dict("list"))
-    assert sum(np.isnan(column).any() for column in expected.values() if isinstance(column[0], float)) == 1, "an impact without a dent"
+    assert sum(np.isnan(column).any() for column in expected.values() if isinstance(column[0], float)) == 1, (
+        "an impact without a dent"
+    )
     for other in rows:
         assert list(other) == list(expected)
         for name, column in expected.items():
@@ -242,7 +287,7 @@ def test_dataframe_libraries_read_table_in_place(contact: plm.Contact) -> None:
             else:
                 assert np.array_equal(np.array(other[name], dtype=float), np.array(column), equal_nan=True), name
     # in place of one column of names
-    with pytest.raises(TypeError, match="table.to_pandas"):
+    with pytest.raises(TypeError, match=r"table\.to_pandas"):
         pandas.DataFrame(fresh)
     structured = fresh.to_numpy()
     assert structured.dtype.names == tuple(expected) and structured["restitution"].tolist() == expected["restitution"]
@@ -266,8 +311,8 @@ def interrupted(work: Callable[[], object]) -> None:
     other.start()
     # what does not hear Ctrl-C, or keeps other threads from running, is ended after minutes
     faulthandler.dump_traceback_later(600, exit=True, file=sys.__stderr__)
+    is_called.set()
     with pytest.raises(KeyboardInterrupt):
-        is_called.set()
         work()
     faulthandler.cancel_dump_traceback_later()
     other.join()
@@ -283,9 +328,19 @@ def test_ctrl_c_stops_work_while_threads_run(kind: str) -> None:
     contact = steel(solver=solver)
     work = {
         "impacts": lambda: plm.impacts(contact, speed=speeds),
-        "bounces": lambda: plm.run({**scene, "impact": dict(speed=1.0), "gravity": dict(acceleration=9.81), "repeat": dict(spot="same", impacts=1_000_000)}),
+        "bounces": lambda: plm.run(
+            {
+                **scene,
+                "impact": dict(speed=1.0),
+                "gravity": dict(acceleration=9.81),
+                "repeat": dict(spot="same", impacts=1_000_000),
+            }
+        ),
         "rows": lambda: plm.run({**scene, "sweep": {"impact.speed": dict(linspace=[1, 2], points=1_000_000)}}),
-        "calibration": lambda: plm.calibrate({**scene, "calibrate": dict(noise=dict(restitution=0.01))}, dict(speed_m_per_s=speeds[::500], restitution=0.6 / speeds[::500] ** 0.25)),
+        "calibration": lambda: plm.calibrate(
+            {**scene, "calibrate": dict(noise=dict(restitution=0.01))},
+            dict(speed_m_per_s=speeds[::500], restitution=0.6 / speeds[::500] ** 0.25),
+        ),
     }
     interrupted(work[kind])
     assert contact.restitution(1.0) < 1
@@ -308,7 +363,12 @@ def test_oblique_impacts_have_keys_and_results() -> None:
     contact = steel(impact=dict(speed="3 m/s", angle="20 deg"), friction=dict(coefficient=0.15))
     impact = contact.impact()
     assert impact.sliding_regime == "partial" and impact.energy["friction_J"] > 0
-    assert set(impact.trace.dtype.names) >= {"slip_speed_m_per_s", "friction_force_N", "tangential_speed_m_per_s", "spin_rad_per_s"}
+    assert set(impact.trace.dtype.names) >= {
+        "slip_speed_m_per_s",
+        "friction_force_N",
+        "tangential_speed_m_per_s",
+        "spin_rad_per_s",
+    }
     # e is that of the normal speed; the impact is integrated
     assert contact.restitution(3.0) == pytest.approx(steel().restitution(3 * np.cos(np.radians(20))), rel=1e-13)
     assert contact.restitution(3.0) == pytest.approx(impact.restitution, rel=1e-11)

@@ -1,6 +1,7 @@
 """Restitution and contact time (units of L/V) of the hard cases in `tests/core/impact/stability_cases.rs`, with 50 digits (mpmath):
 energy balance for the peak and e, quadrature for the time. The law is written down anew here, from its definition
 (`src/contact/law/plm/mod.rs`), so that nothing but the coefficients is shared with what it checks. Prints: name, e, T."""
+
 import tomllib
 from pathlib import Path
 
@@ -20,23 +21,21 @@ def loading(starts, slopes):
     for start, slope in zip(starts, slopes):
         x, f, w, s = pieces[-1]
         d = start - x
-        force, work = (d ** 1.5, FIFTHS * d ** 2.5) if s is None else (f + s * d, w + f * d + s * d * d / 2)
+        force, work = (d**1.5, FIFTHS * d**2.5) if s is None else (f + s * d, w + f * d + s * d * d / 2)
         pieces.append((start, force, work, slope))
     return pieces
 
 
 def plm(kappa, a_over_r):
-    pieces = loading(
-        FORCE["from"], [s + k * kappa ** 2 for s, k in zip(FORCE["slope"], FORCE["slope_kappa_squared"])]
-    )
+    pieces = loading(FORCE["from"], [s + k * kappa**2 for s, k in zip(FORCE["slope"], FORCE["slope_kappa_squared"])])
     return pieces, elastic_line(kappa, a_over_r)
 
 
 def elastic_line(kappa, a_over_r):
     plastic_from = 1 + LINE["plastic_from_rho"] * (1 - kappa)
     geometry = [(max(1, a / a_over_r), k) for a, k in zip(LINE["geometry_from"], LINE["geometry_factor"])]
-    first = LINE["first_slope"] + LINE["first_slope_kappa_squared"] * kappa ** 2
-    plastic = LINE["plastic_slope"] + LINE["plastic_slope_kappa_squared"] * kappa ** 2
+    first = LINE["first_slope"] + LINE["first_slope_kappa_squared"] * kappa**2
+    plastic = LINE["plastic_slope"] + LINE["plastic_slope_kappa_squared"] * kappa**2
 
     def slope(a):
         s = plastic if a >= plastic_from else min(first, LINE["first_slope_limit"])
@@ -49,7 +48,7 @@ def elastic_line(kappa, a_over_r):
     def approach(x, f):
         if x <= 1:
             return x
-        a, eps = mpf(1), mpf(1)
+        eps = mpf(1)
         for i, knot in enumerate(knots):
             s = slope(knot)
             end = knots[i + 1] if i + 1 < len(knots) else inf
@@ -71,7 +70,7 @@ def stiffness(k):
 def work_at(pieces, x):
     start, f, w, s = [piece for piece in pieces if piece[0] <= x][-1]
     d = x - start
-    return FIFTHS * d ** 2.5 if s is None else w + f * d + s * d * d / 2
+    return FIFTHS * d**2.5 if s is None else w + f * d + s * d * d / 2
 
 
 def solve(law, q):
@@ -87,13 +86,17 @@ def solve(law, q):
             # (x/q^0.8)^2.5 = sin^2 phi: t = (4/5) q^-0.2 int sin^-0.2 phi dphi, made smooth by phi = p^(5/4)
             x_m = q ** mpf("0.8")
             top = pi / 2 if turns else asin(sqrt((after[0] / x_m) ** 2.5))
-            g = lambda p: (mp.sin(p ** 1.25) / p ** 1.25) ** mpf("-0.2") if p else mpf(1)
+            g = lambda p: (mp.sin(p**1.25) / p**1.25) ** mpf("-0.2") if p else mpf(1)
             time += mpf("0.8") * x_m / q * 1.25 * quad(g, [0, top ** mpf("0.8")])
-            x, force = x_m, x_m ** 1.5
+            x, force = x_m, x_m**1.5
         else:
             omega = sqrt(1.25 * s)
             # u = U cos(phase): phases of entry and exit
-            time += (atan(1.25 * (f + s * ((after[0] - start) if not turns else 0)) / (omega * exit)) if not turns else pi / 2) / omega
+            time += (
+                atan(1.25 * (f + s * ((after[0] - start) if not turns else 0)) / (omega * exit))
+                if not turns
+                else pi / 2
+            ) / omega
             time -= atan(1.25 * f / (omega * entry)) / omega if entry else pi / 2 / omega
             rest = kinetic - w
             x = start + 2 * rest / (f + sqrt(f * f + 2 * s * rest))
@@ -102,7 +105,11 @@ def solve(law, q):
             break
     eps = approach(x, force)
     e = sqrt(force * eps / 2.5 / kinetic) if x > 1 else mpf(1)
-    hertz = mpf("0.8") * 1.25 * quad(lambda p: (mp.sin(p ** 1.25) / p ** 1.25) ** mpf("-0.2") if p else mpf(1), [0, (pi / 2) ** mpf("0.8")])
+    hertz = (
+        mpf("0.8")
+        * 1.25
+        * quad(lambda p: (mp.sin(p**1.25) / p**1.25) ** mpf("-0.2") if p else mpf(1), [0, (pi / 2) ** mpf("0.8")])
+    )
     return e, time + hertz * eps / (e * q)
 
 
@@ -118,7 +125,7 @@ def largest_stress(nu):
 def yield_factor(nu):
     if nu < 0:
         return mpf("1.30075") * largest_stress(mpf(0)) / largest_stress(nu)
-    return mpf("1.30075") + mpf("0.87825") * nu + mpf("0.54373") * nu ** 2
+    return mpf("1.30075") + mpf("0.87825") * nu + mpf("0.54373") * nu**2
 
 
 def scene(kappa=mpf(1) / 2, nu=mpf("0.3"), strength=mpf("3e-3")):
@@ -130,14 +137,14 @@ def speed_to(law, x):
 
 
 def many_knots(count, ratio):
-    starts = [mpf("1.7") * ratio ** i for i in range(count)]
+    starts = [mpf("1.7") * ratio**i for i in range(count)]
     return loading(starts, [2 * (x / mpf("1.7")) ** mpf("0.2") for x in starts]), STEEL[1]
 
 
 def steel_speed_ratio(v):
     e_star = mpf("210e9") / (2 * (1 - mpf("0.09")))
     a = pi * mpf("1.6") * mpf("345e6") / (2 * e_star)
-    return v / (sqrt(mpf("0.8") * e_star / (pi * 7850)) * a ** 2.5)
+    return v / (sqrt(mpf("0.8") * e_star / (pi * 7850)) * a**2.5)
 
 
 STEEL = scene()
@@ -147,9 +154,12 @@ DENT = (KINKED, stiffness(mpf(1)))
 HERTZ = ([(mpf(0), mpf(0), mpf(0), None)], lambda x, f: x)
 CLOSE = many_knots(5, 1 + mpf("1e-12"))
 CASES = [
-    *((f"v = v_Y (1 {o[0]} {o[1:]})", STEEL, mpf(1.0 + float(o))) for o in "-1e-3 -1e-6 -1e-9 -1e-12 -1e-15".split()),
+    *(
+        (f"v = v_Y (1 {o[0]} {o[1:]})", STEEL, mpf(1.0 + float(o)))
+        for o in ["-1e-3", "-1e-6", "-1e-9", "-1e-12", "-1e-15"]
+    ),
     ("v = v_Y", STEEL, mpf(1)),
-    *((f"v = v_Y (1 + {o})", STEEL, mpf(1.0 + float(o))) for o in "1e-15 1e-12 1e-9 1e-6 1e-3".split()),
+    *((f"v = v_Y (1 + {o})", STEEL, mpf(1.0 + float(o))) for o in ["1e-15", "1e-12", "1e-9", "1e-6", "1e-3"]),
     *((f"peak on the knot at x = {x}", STEEL, speed_to(STEEL, mpf(x))) for x in ("1.7", "8.4", "225")),
     ("peak 1e-12 before the knot at x = 8.4", STEEL, speed_to(STEEL, mpf("8.4") * (1 - mpf("1e-12")))),
     ("peak 1e-12 behind the knot at x = 8.4", STEEL, speed_to(STEEL, mpf("8.4") * (1 + mpf("1e-12")))),

@@ -6,6 +6,7 @@ R(k) = (2k^2 - 1)^2 - 4k^2 sqrt(k^2 - g^2) sqrt(k^2 - 1),   R(k_R) = 0
 
 with wave numbers k in units of that of shear waves: the integral is the share of pressure (k < g) and shear waves, the rest that of
 Rayleigh waves."""
+
 from mpmath import diff, findroot, mp, mpf, nstr, pi, quad, sqrt
 
 mp.dps = 40

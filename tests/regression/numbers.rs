@@ -26,7 +26,6 @@ const WORDS: [&str; 12] = [
     "solver_method",
     "spot",
     "status",
-    "verdict",
 ];
 
 /// Parts of a summary that say again what was asked.

@@ -14,15 +14,25 @@ export async function serve(folder) {
     const path = normalize(new URL(request.url, "http://localhost").pathname);
     const file = join(folder, path.endsWith("/") ? "index.html" : path);
     response.setHeader("content-type", TYPES[extname(file)] ?? "application/octet-stream");
-    createReadStream(file).on("error", () => response.writeHead(404).end()).pipe(response);
+    createReadStream(file)
+      .on("error", () => response.writeHead(404).end())
+      .pipe(response);
   });
   await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
   return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
 }
 
 const OPTIONS = [
-  "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-  "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--force-device-scale-factor=1",
+  "--headless",
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--disable-dev-shm-usage",
+  "--force-device-scale-factor=1",
   // a name that is not this machine for the browser, so that a page from there has what any page without https has
   "--host-resolver-rules=MAP plain.test 127.0.0.1",
 ];
@@ -61,7 +71,7 @@ export async function browse() {
     value: (expression) => post("/execute/sync", { script: `return ${expression}`, args: [] }),
     /** Waits until an expression is true; after ten minutes that is an error. */
     async until(expression) {
-      for (const end = performance.now() + 600_000; performance.now() < end; ) {
+      for (const end = performance.now() + 600_000; performance.now() < end;) {
         if (await page.value(expression)) return;
         await new Promise((later) => setTimeout(later, 50));
       }

@@ -9,12 +9,21 @@ export const ROOT = resolve(import.meta.dirname, "../..");
 export const SCENARIOS = join(ROOT, "scenarios");
 export const PAGE = join(ROOT, "target/web-test");
 // where cargo builds: target, or what a variable or a configuration file says
-const said = spawnSync("cargo", ["metadata", "--format-version", "1", "--no-deps"], { cwd: ROOT, encoding: "utf8", maxBuffer: 1 << 28 });
+const said = spawnSync("cargo", ["metadata", "--format-version", "1", "--no-deps"], {
+  cwd: ROOT,
+  encoding: "utf8",
+  maxBuffer: 1 << 28,
+});
 export const COMMAND = join(JSON.parse(said.stdout).target_directory, "debug/plm-impact");
 
 /** Calls the command in the folder of the scenarios, with a text as standard input. */
 export function callWith(input, ...words) {
-  const { status, stdout, stderr } = spawnSync(COMMAND, words, { input, cwd: SCENARIOS, encoding: "utf8", maxBuffer: 1 << 28 });
+  const { status, stdout, stderr } = spawnSync(COMMAND, words, {
+    input,
+    cwd: SCENARIOS,
+    encoding: "utf8",
+    maxBuffer: 1 << 28,
+  });
   return { status, stdout, stderr };
 }
 

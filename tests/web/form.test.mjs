@@ -12,7 +12,9 @@ import { LINKED, SHOWN, agrees, cells, choose, end, field, isSeen, open, page, t
 after(end);
 
 const unfold = () => page.value('document.querySelectorAll("#form details").forEach((one) => one.open = true)');
-const BACKSPACE = "\uE003", DELETE = "\uE017", SELECT_ALL = "\uE009a\uE000";
+const BACKSPACE = "\uE003",
+  DELETE = "\uE017",
+  SELECT_ALL = "\uE009a\uE000";
 
 /** What the command prints of a scenario. */
 function runText(text) {
@@ -32,7 +34,10 @@ test("a material takes the place of numbers, and leaves its own when it is taken
   await open();
   await choose(field("half_space.material"), "aluminium-6061-t6");
   const sphere = read("steel-on-steel.toml").split("[half_space]")[0];
-  const of = (halfSpace) => runText(`${sphere}[half_space]\n${halfSpace}\n[impact]\nspeed = 3\n[law.plm]\nunloading_exponent = "pressure-shape"\n`);
+  const of = (halfSpace) =>
+    runText(
+      `${sphere}[half_space]\n${halfSpace}\n[impact]\nspeed = 3\n[law.plm]\nunloading_exponent = "pressure-shape"\n`,
+    );
   await agrees(of('material = "aluminium-6061-t6"'));
   await choose(field("half_space.material"), "");
   assert.equal(await valueOf("half_space.youngs_modulus"), "68.9 GPa");
@@ -68,9 +73,14 @@ test("a field that is typed in and emptied before it is left takes its key away"
   await open();
   await unfold();
   const before = await text();
-  const empty = await page.value(`[...document.querySelectorAll("#form input")].filter((one) => one.checkVisibility() && !one.value).map((one) => one.id)`);
+  const empty = await page.value(
+    `[...document.querySelectorAll("#form input")].filter((one) => one.checkVisibility() && !one.value).map((one) => one.id)`,
+  );
   assert.ok(empty.length > 15, `${empty}`);
-  for (const [typed, emptied] of [["0.1", SELECT_ALL + DELETE], ["75", BACKSPACE + BACKSPACE]]) {
+  for (const [typed, emptied] of [
+    ["0.1", SELECT_ALL + DELETE],
+    ["75", BACKSPACE + BACKSPACE],
+  ]) {
     for (const id of empty) {
       const css = `[id="${id}"]`;
       await page.send(css, typed);
@@ -113,7 +123,11 @@ test("the first click below a field that has the focus is not lost", async () =>
       await page.click(field(name));
       assert.equal(await isSeen(`[id="about-field-${name}"]`), true);
       await page.click(below);
-      assert.equal(await page.value(`document.querySelector('${below}').parentElement.open`), true, `${name}, ${below}`);
+      assert.equal(
+        await page.value(`document.querySelector('${below}').parentElement.open`),
+        true,
+        `${name}, ${below}`,
+      );
       await page.click(below);
     }
     await page.type(field(name), "4 m");
@@ -149,7 +163,10 @@ test("a message that asks for another key has a button that adds it", async () =
 
 test("keys that few need are folded, and unfolded where they are given or refused", async () => {
   await open();
-  assert.deepEqual([await isSeen(field("half_space.yield_strength")), await isSeen(field("half_space.thickness"))], [true, false]);
+  assert.deepEqual(
+    [await isSeen(field("half_space.yield_strength")), await isSeen(field("half_space.thickness"))],
+    [true, false],
+  );
   await open(read("ball-on-plate.toml"));
   assert.equal(await isSeen(field("half_space.thickness")), true);
 });
@@ -197,5 +214,7 @@ test("a material shows the hardness that it brings", async () => {
   const shown = await page.value(`document.querySelector('${field("half_space.yield_strength")}').placeholder`);
   assert.match(shown, /HV$/);
   assert.ok(stdout.includes(shown), shown);
-  await page.until(`document.querySelector('.row:has(${field("half_space.yield_strength")}) .names').value === "half_space.hardness"`);
+  await page.until(
+    `document.querySelector('.row:has(${field("half_space.yield_strength")}) .names').value === "half_space.hardness"`,
+  );
 });

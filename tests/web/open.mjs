@@ -12,7 +12,8 @@ export async function end() {
   site.end();
 }
 
-export const SHOWN = '[...document.querySelectorAll("#numbers :is(p, dt, dd, th, td, pre):not(table:has(caption) *)")].map((one) => one.textContent).join(" ")';
+export const SHOWN =
+  '[...document.querySelectorAll("#numbers :is(p, dt, dd, th, td, pre):not(table:has(caption) *)")].map((one) => one.textContent).join(" ")';
 export const field = (path) => `[id="field-${path}"]`;
 export const valueOf = (path) => page.value(`document.querySelector('${field(path)}').value`);
 export const text = () => page.value('document.getElementById("text").value');
@@ -44,6 +45,7 @@ export async function choose(css, value) {
   await page.until('document.getElementById("results").ariaBusy !== "true"');
 }
 
-export const cells = (css) => page.value(`[...document.querySelectorAll(${JSON.stringify(css)})].map((one) => one.textContent)`);
+export const cells = (css) =>
+  page.value(`[...document.querySelectorAll(${JSON.stringify(css)})].map((one) => one.textContent)`);
 
 export const isSeen = (css) => page.value(`document.querySelector(${JSON.stringify(css)})?.checkVisibility() ?? false`);

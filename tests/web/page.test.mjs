@@ -23,17 +23,21 @@ test("the first page shows the first scenario of `init`", async () => {
 });
 
 // tests/program/report/external_pictures.rs compares the noted numbers with those of the program
-test("UPDATE=1 draws src/interfaces/web/page.png and notes its numbers", { skip: process.env.UPDATE !== "1" }, async () => {
-  await page.look(1300, 880, false);
-  await open();
-  await agrees(runByCommand(...FIRST).stdout);
-  writeFileSync(join(ROOT, "src/interfaces/web/page.png"), await page.picture());
-  const summary = JSON.parse(runByCommand(...FIRST).files["summary.json"]);
-  const names = ["restitution", "contact_time_s", "peak_force_N", "residual_indentation_m"];
-  const lines = ["result,value", ...names.map((name) => `${name},${summary[name]}`), ""];
-  writeFileSync(join(ROOT, "tests/reference/page_picture.csv"), lines.join("\n"));
-  await page.look(1400, 900, false);
-});
+test(
+  "UPDATE=1 draws src/interfaces/web/page.png and notes its numbers",
+  { skip: process.env.UPDATE !== "1" },
+  async () => {
+    await page.look(1300, 880, false);
+    await open();
+    await agrees(runByCommand(...FIRST).stdout);
+    writeFileSync(join(ROOT, "src/interfaces/web/page.png"), await page.picture());
+    const summary = JSON.parse(runByCommand(...FIRST).files["summary.json"]);
+    const names = ["restitution", "contact_time_s", "peak_force_N", "residual_indentation_m"];
+    const lines = ["result,value", ...names.map((name) => `${name},${summary[name]}`), ""];
+    writeFileSync(join(ROOT, "tests/reference/page_picture.csv"), lines.join("\n"));
+    await page.look(1400, 900, false);
+  },
+);
 
 test("a changed speed changes number, pictures, text and address", async () => {
   await open();
@@ -55,7 +59,10 @@ test("a changed text changes the form and the numbers", async () => {
   await page.type("#text", read("law-thornton.toml"));
   await agrees(runByCommand("law-thornton.toml").stdout);
   assert.equal(await valueOf("law"), "thornton");
-  assert.equal(await page.value(`document.querySelector('${field("law.thornton.yield_pressure")}').checkVisibility()`), true);
+  assert.equal(
+    await page.value(`document.querySelector('${field("law.thornton.yield_pressure")}').checkVisibility()`),
+    true,
+  );
 });
 
 test("a text that is no TOML says where, and leaves the form", async () => {
@@ -90,8 +97,12 @@ test("every control has a name for a screen reader, and every field explains its
   await open();
   const labels = await page.labels("input, select, textarea, button, [tabindex='0']");
   assert.ok(labels.length > 20, `${labels.length}`);
-  assert.deepEqual(labels.filter((label) => !label), []);
-  const described = 'document.getElementById(document.querySelector(\'[id="field-sphere.radius"]\').getAttribute("aria-describedby").split(" ")[0]).textContent';
+  assert.deepEqual(
+    labels.filter((label) => !label),
+    [],
+  );
+  const described =
+    'document.getElementById(document.querySelector(\'[id="field-sphere.radius"]\').getAttribute("aria-describedby").split(" ")[0]).textContent';
   assert.equal(await page.value(described), "Radius of the sphere (not its diameter).");
 });
 
@@ -101,7 +112,7 @@ test("the keyboard reaches the fields, and what has the focus is marked", async 
   const focused = [];
   for (let presses = 0; presses < 8; presses += 1) {
     focused.push(await page.value("document.activeElement.id || document.activeElement.textContent"));
-    assert.notEqual(await page.value('getComputedStyle(document.activeElement).outlineStyle'), "none");
+    assert.notEqual(await page.value("getComputedStyle(document.activeElement).outlineStyle"), "none");
     await page.tell("Input.dispatchKeyEvent", { type: "keyDown", key: "Tab", code: "Tab", windowsVirtualKeyCode: 9 });
   }
   assert.ok(focused.includes("Form") && focused.includes("field-sphere.radius"), `${focused}`);
@@ -119,7 +130,12 @@ test("light and dark have contrast, and a narrow page is not wider than its wind
     const all = ["h2", "dt", "dd", ".about", ".error", "#problem", "button", "#state"].map(ink);
     return Math.min(...all.map((ink) => (Math.max(ink, paper) + 0.05) / (Math.min(ink, paper) + 0.05)));
   })()`;
-  for (const [width, isDark] of [[360, false], [1400, false], [360, true], [1400, true]]) {
+  for (const [width, isDark] of [
+    [360, false],
+    [1400, false],
+    [360, true],
+    [1400, true],
+  ]) {
     await page.look(width, 900, isDark);
     await open();
     await page.until(`${SHOWN}.includes("0.5064")`);
@@ -135,10 +151,21 @@ test("no request leaves the page, and nothing is complained about", async () => 
   await open();
   await page.until(`${SHOWN}.includes("0.5064")`);
   const events = (await page.log("performance")).map((entry) => JSON.parse(entry.message).message);
-  const sent = events.filter((event) => event.method === "Network.requestWillBeSent").map((event) => event.params.request.url);
-  assert.ok(sent.some((url) => url.endsWith("plm_impact_bg.wasm")), `${sent}`);
-  assert.deepEqual(sent.filter((url) => !url.startsWith(site.address) && !/^(data|blob|about):/.test(url)), []);
-  assert.deepEqual((await page.log("browser")).map((entry) => entry.message), []);
+  const sent = events
+    .filter((event) => event.method === "Network.requestWillBeSent")
+    .map((event) => event.params.request.url);
+  assert.ok(
+    sent.some((url) => url.endsWith("plm_impact_bg.wasm")),
+    `${sent}`,
+  );
+  assert.deepEqual(
+    sent.filter((url) => !url.startsWith(site.address) && !/^(data|blob|about):/.test(url)),
+    [],
+  );
+  assert.deepEqual(
+    (await page.log("browser")).map((entry) => entry.message),
+    [],
+  );
 });
 
 test("measurements of drops find a strength on the first page, as it stands", async () => {
@@ -161,7 +188,11 @@ test("steps and impacts are tables", async () => {
     assert.deepEqual((await cells("#numbers th")).slice(0, head.length), head);
     const rows = lines.filter((line) => line.length === head.length && line[0] !== head[0]);
     // dots stand for rows that are left out
-    assert.deepEqual((await cells("#numbers td")).filter((cell) => cell !== "..."), rows.flat(), name);
+    assert.deepEqual(
+      (await cells("#numbers td")).filter((cell) => cell !== "..."),
+      rows.flat(),
+      name,
+    );
   }
 });
 
@@ -176,7 +207,10 @@ test("a link is copied, or shown where a page may not copy, until the scenario c
   await page.type(field("impact.speed"), "1 m/s");
   assert.deepEqual([await told(), await isSeen("#address")], ["", false]);
   await open();
-  await page.tell("Browser.grantPermissions", { permissions: ["clipboardReadWrite", "clipboardSanitizedWrite"], origin: site.address.slice(0, -1) });
+  await page.tell("Browser.grantPermissions", {
+    permissions: ["clipboardReadWrite", "clipboardSanitizedWrite"],
+    origin: site.address.slice(0, -1),
+  });
   await page.click("#link");
   await page.until('document.getElementById("told").textContent === "copied"');
   await page.type(field("impact.speed"), "1 m/s");
@@ -186,19 +220,27 @@ test("a link is copied, or shown where a page may not copy, until the scenario c
 test("measurements that are too long for a link are said to be missing, and a reload keeps them", async () => {
   const folder = mkdtempSync(join(tmpdir(), "plm-impact-"));
   const long = join(folder, "drops.csv");
-  writeFileSync(long, `${"# a comment of fifty letters, a thousand times over\n".repeat(1000)}${readFileSync(join(SCENARIOS, "drops.csv"))}`);
+  writeFileSync(
+    long,
+    `${"# a comment of fifty letters, a thousand times over\n".repeat(1000)}${readFileSync(join(SCENARIOS, "drops.csv"))}`,
+  );
   await open(read("calibrate-ball-drop.toml"));
   await page.send("#data", long);
   const { stdout } = runByCommand("calibrate-ball-drop.toml");
   await agrees(stdout);
   const told = () => page.value('document.getElementById("told").textContent');
-  await page.tell("Browser.grantPermissions", { permissions: ["clipboardReadWrite", "clipboardSanitizedWrite"], origin: site.address.slice(0, -1) });
+  await page.tell("Browser.grantPermissions", {
+    permissions: ["clipboardReadWrite", "clipboardSanitizedWrite"],
+    origin: site.address.slice(0, -1),
+  });
   await page.click("#link");
   await page.until('document.getElementById("told").textContent');
   assert.equal(await told(), "copied without the measurements, which are too long for a link: send their file too");
   assert.equal(await page.value('new URLSearchParams(location.hash.slice(1)).has("data")'), false);
   await page.value("location.reload()");
-  await page.until('document.readyState === "complete" && document.getElementById("state").textContent !== "Loading …"');
+  await page.until(
+    'document.readyState === "complete" && document.getElementById("state").textContent !== "Loading …"',
+  );
   await agrees(stdout);
   // so does the way back from another scenario
   await choose("#begin", "repeat");
@@ -218,9 +260,14 @@ test("only a number and its interval are large, and a slow indentation has its l
   })()`);
   assert.ok(large.length >= 2, `${large}`);
   for (const text of large) assert.match(text, /^[\d.]+( m\/s)?$|^\([\d.]+ to [\d.]+\)?$/);
-  assert.match(await page.value('document.getElementById("state").textContent'), /^impact restitution [\d.]+( \([\d.]+ to [\d.]+\))?$/);
+  assert.match(
+    await page.value('document.getElementById("state").textContent'),
+    /^impact restitution [\d.]+( \([\d.]+ to [\d.]+\))?$/,
+  );
   await open(read("indentation-cycles.toml"));
-  await page.until('/^indentation step \\d+: dent depth [\\d.]+ µm$/.test(document.getElementById("state").textContent)');
+  await page.until(
+    '/^indentation step \\d+: dent depth [\\d.]+ µm$/.test(document.getElementById("state").textContent)',
+  );
 });
 
 test("on a phone and a tablet e stays in view, and pictures fit", async () => {
@@ -230,7 +277,8 @@ test("on a phone and a tablet e stays in view, and pictures fit", async () => {
     await page.until(`${SHOWN}.includes("0.5064")`);
     await page.type(field("impact.speed"), "1 m/s");
     await page.until('document.getElementById("state").textContent.includes("0.6225")');
-    const seen = (css) => page.value(`(() => {
+    const seen = (css) =>
+      page.value(`(() => {
       const { top, bottom } = document.querySelector(${JSON.stringify(css)}).getBoundingClientRect();
       return top >= 0 && bottom <= innerHeight;
     })()`);
@@ -238,7 +286,9 @@ test("on a phone and a tablet e stays in view, and pictures fit", async () => {
     assert.equal(await seen(field("impact.speed")), true);
     await page.value("scrollTo(0, document.body.scrollHeight)");
     assert.equal(await seen("#state"), true);
-    const widest = await page.value('Math.max(...[...document.querySelectorAll("#pictures svg")].map((one) => one.getBoundingClientRect().right))');
+    const widest = await page.value(
+      'Math.max(...[...document.querySelectorAll("#pictures svg")].map((one) => one.getBoundingClientRect().right))',
+    );
     assert.ok(widest <= width, `${widest}`);
     // drawn for this width: the letters can be read, and the key is below the axes
     const [smallest, key, axes] = await page.value(`(() => {
@@ -277,7 +327,9 @@ test("a link has the keys without the comments of the first scenarios, which a r
   const before = await text();
   assert.match(before, /^# Speed of the sphere/m);
   await page.value("location.reload()");
-  await page.until(`document.readyState === "complete" && document.getElementById("text").value === ${JSON.stringify(before)}`);
+  await page.until(
+    `document.readyState === "complete" && document.getElementById("text").value === ${JSON.stringify(before)}`,
+  );
   // a comment of the user is a part of the scenario
   const own = `# measured on 3 May\n${read("elastic.toml")}`;
   await open(own);
@@ -298,7 +350,8 @@ test("guide, citation, source and licences are beside the page, and every link o
       if (!body) await answer.arrayBuffer();
       seen.add(path);
       pages.set(path, body);
-      for (const [, href] of body.matchAll(/(?:href|src)="([^"]+)"/g)) await follow(new URL(href.replaceAll("&amp;", "&"), path).href);
+      for (const [, href] of body.matchAll(/(?:href|src)="([^"]+)"/g))
+        await follow(new URL(href.replaceAll("&amp;", "&"), path).href);
     }
     if (anchor && pages.get(path)) assert.ok(pages.get(path).includes(`id="${decodeURIComponent(anchor)}"`), address);
   };

@@ -85,6 +85,21 @@ impl Contact {
         force * scales.force
     }
 
+    /// True if a path of this contact leads to this memory: it lies on the loading curve, within the rounding of a text file with
+    /// seven digits, or it is that of a fresh contact. [`Contact::force`] checks signs alone, which costs nothing in every step.
+    pub fn accepts(&self, memory: &Memory) -> bool {
+        const ROUNDING: f64 = 1e-6;
+        if *memory == Memory::default() {
+            return true;
+        }
+        let mut reached = Memory::default();
+        self.force(memory.indentation, &mut reached);
+        let is_near = |got: f64, want: f64| (got - want).abs() <= ROUNDING * want;
+        reached.indentation > 0.0
+            && is_near(memory.force, reached.force)
+            && is_near(memory.elastic_approach, reached.elastic_approach)
+    }
+
     /// The division of the work, for the result `force` of [`Contact::force`] at this indentation and memory.
     pub fn energy(&self, indentation: f64, force: f64, memory: &Memory) -> ContactEnergy {
         if !memory.is_valid_at(indentation) {

@@ -16,6 +16,8 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod calls;
+#[cfg(test)]
+mod tests;
 
 use std::ffi::{CStr, c_char, c_int};
 use std::path::Path;
@@ -229,9 +231,11 @@ pub unsafe extern "C" fn plm_contact_energy(
     plastic: *mut f64,
 ) -> f64 {
     let nothing = ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
+    let energy_of = |contact: &Contact, memory: &Memory| {
+        if force.is_finite() { contact.energy(indentation, force, memory) } else { nothing }
+    };
     // SAFETY: as the caller promises
-    let energy =
-        unsafe { with_contact(contact, memory, nothing, |contact, memory| contact.energy(indentation, force, memory)) };
+    let energy = unsafe { with_contact(contact, memory, nothing, energy_of) };
     // SAFETY: as the caller promises
     if let Some(plastic) = unsafe { plastic.as_mut() } {
         *plastic = energy.plastic;

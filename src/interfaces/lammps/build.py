@@ -17,7 +17,7 @@ from importlib import metadata
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-MONTHS = "Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec".split()
+MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
 
 
 def folder_of(package: str, file: str) -> Path:
@@ -48,7 +48,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--into", type=Path, metavar="FOLDER", help="where the plug-in goes")
     parser.add_argument("--library", type=Path, metavar="FILE", help="libplm_impact.a, if it is built already")
-    parser.add_argument("--lammps-version", type=int, metavar="NUMBER", help="the LAMMPS it is for, if not the installed one")
+    parser.add_argument(
+        "--lammps-version", type=int, metavar="NUMBER", help="the LAMMPS it is for, if not the installed one"
+    )
     arguments = parser.parse_args()
 
     into = arguments.into

@@ -26,7 +26,7 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 namespace {
-enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere; ENDED is the plastic work of ended contacts
+enum { DENT, PLASTIC, ENDED, FIRST_SLOT }; // columns of a sphere; ENDED is the plastic work of ended contacts
 // doubles of a slot: number of the wall (0: no contact), memory (3), plastic work, indentation, and with friction the
 // friction (3); all but the first belong to the sphere of the scenario
 enum { WALL, MEMORY, TAKEN = 4, NOW, FRICTION };
@@ -41,302 +41,335 @@ constexpr double LEAST_STEPS = 10.0;
 constexpr double MAX_FIRST_OVERLAP_STEPS = 2.0, ROUNDING = 1e-6;
 // below this radius of a region, over the radius of the sphere, a warning is given: the relative radius is off by 2 %
 constexpr double CURVED = 50.0;
-}    // namespace
+} // namespace
 
-FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), friction(-1.0), slot_size(SLOT_SIZE), state(nullptr),
-    is_advised(false), is_curved(false), is_deep(false), is_inside(false)
-{
-  const char *usage = "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ... [friction MU]";
-  if (narg < 7) error->all(FLERR, "Fix plm/wall: {}", usage);
-  if (!atom->radius_flag || !atom->rmass_flag)
-    error->all(FLERR, "Fix plm/wall needs spheres with radius and mass: use atom_style sphere");
-  if (!atom->tag_enable) error->all(FLERR, "Fix plm/wall needs atom IDs");
+FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg)
+    : Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), friction(-1.0),
+      slot_size(SLOT_SIZE), state(nullptr), is_advised(false), is_curved(false), is_deep(false), is_inside(false) {
+    const char *usage =
+        "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ... [friction MU]";
+    if (narg < 7) error->all(FLERR, "Fix plm/wall: {}", usage);
+    if (!atom->radius_flag || !atom->rmass_flag)
+        error->all(FLERR, "Fix plm/wall needs spheres with radius and mass: use atom_style sphere");
+    if (!atom->tag_enable) error->all(FLERR, "Fix plm/wall needs atom IDs");
 
-  const std::string units = update->unit_style;
-  if (units == "si") { length_unit = 1.0; mass_unit = 1.0; time_unit = 1.0; }
-  else if (units == "cgs") { length_unit = 1e-2; mass_unit = 1e-3; time_unit = 1.0; }
-  else if (units == "micro") { length_unit = 1e-6; mass_unit = 1e-15; time_unit = 1e-6; }
-  else if (units == "nano") { length_unit = 1e-9; mass_unit = 1e-21; time_unit = 1e-9; }
-  else error->all(FLERR, "Fix plm/wall: a scenario has SI units, and units {} have no length in metres: use si, cgs, micro or nano", units);
-  force_unit = mass_unit * length_unit / (time_unit * time_unit);
-
-  int at = 3;
-  if (strcmp(arg[at], "plane") == 0) {
-    height = utils::numeric(FLERR, arg[at + 1], false, lmp);
-    if (domain->zperiodic) error->all(FLERR, "Fix plm/wall: a plane needs a box that is not periodic in z (boundary p p f)");
-  } else if (strcmp(arg[at], "region") == 0) {
-    region_name = utils::strdup(arg[at + 1]);
-    region = domain->get_region_by_id(region_name);
-    if (!region) error->all(FLERR, "Fix plm/wall: there is no region {}", region_name);
-    walls = region->tmax;
-  } else
-    error->all(FLERR, "Fix plm/wall: unknown wall {}; {}", arg[at], usage);
-
-  for (at = 5; at < narg;) {
-    int type = 0;
-    const char *file = nullptr;
-    if (strcmp(arg[at], "scenario") == 0 && at + 1 < narg) {
-      file = arg[at + 1];
-      at += 2;
-    } else if (strcmp(arg[at], "type") == 0 && at + 2 < narg) {
-      type = utils::inumeric(FLERR, arg[at + 1], false, lmp);
-      if (type < 1 || type > atom->ntypes)
-        error->all(FLERR, "Fix plm/wall: type {} is not one of the {} atom types", type, atom->ntypes);
-      file = arg[at + 2];
-      at += 3;
-    } else if (strcmp(arg[at], "friction") == 0 && at + 1 < narg) {
-      friction = utils::numeric(FLERR, arg[at + 1], false, lmp);
-      if (!(friction >= 0.0) || !std::isfinite(friction))
-        error->all(FLERR, "Fix plm/wall: friction {} must be a number of 0 or more", arg[at + 1]);
-      if (!atom->omega_flag || !atom->torque_flag)
-        error->all(FLERR, "Fix plm/wall: friction turns spheres, and atom_style {} has no spin: use atom_style sphere", atom->atom_style);
-      slot_size = SLOT_SIZE_FRICTION;
-      at += 2;
-      continue;
+    const std::string units = update->unit_style;
+    if (units == "si") {
+        length_unit = 1.0;
+        mass_unit = 1.0;
+        time_unit = 1.0;
+    } else if (units == "cgs") {
+        length_unit = 1e-2;
+        mass_unit = 1e-3;
+        time_unit = 1.0;
+    } else if (units == "micro") {
+        length_unit = 1e-6;
+        mass_unit = 1e-15;
+        time_unit = 1e-6;
+    } else if (units == "nano") {
+        length_unit = 1e-9;
+        mass_unit = 1e-21;
+        time_unit = 1e-9;
     } else
-      error->all(FLERR, "Fix plm/wall: unknown or incomplete keyword {}; {}", arg[at], usage);
-    if (contacts.count(type)) error->all(FLERR, "Fix plm/wall: two scenarios for the same spheres; the second is {}", file);
-    char message[2048];
-    plm_contact *contact = plm_contact_open(file, message, sizeof(message));
-    if (!contact) error->all(FLERR, "Fix plm/wall: {}", message);
-    if (plm_contact_effective_radius(contact) != plm_contact_radius(contact))
-      error->all(FLERR, "Fix plm/wall: {}: half_space.radius curves the wall, and the law of a curved wall does not scale to spheres of "
-                 "other radii; leave it out", file);
-    contacts[type] = contact;
-  }
+        error->all(
+            FLERR,
+            "Fix plm/wall: a scenario has SI units, and units {} have no length in metres: use si, cgs, micro or nano",
+            units);
+    force_unit = mass_unit * length_unit / (time_unit * time_unit);
 
-  for (int type = 0; type <= atom->ntypes; type++) {
-    const auto found = contacts.count(type) ? contacts.find(type) : contacts.find(0);
-    const plm_contact *contact = found == contacts.end() ? nullptr : found->second;
-    // 52 bits, which a double holds exactly
-    laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0, contact ? plm_contact_validated_indentation(contact) : 0.0,
-                    static_cast<double>(plm_contact_fingerprint(contact) >> 12)});
-  }
+    int at = 3;
+    if (strcmp(arg[at], "plane") == 0) {
+        height = utils::numeric(FLERR, arg[at + 1], false, lmp);
+        if (domain->zperiodic)
+            error->all(FLERR, "Fix plm/wall: a plane needs a box that is not periodic in z (boundary p p f)");
+    } else if (strcmp(arg[at], "region") == 0) {
+        region_name = utils::strdup(arg[at + 1]);
+        region = domain->get_region_by_id(region_name);
+        if (!region) error->all(FLERR, "Fix plm/wall: there is no region {}", region_name);
+        walls = region->tmax;
+    } else
+        error->all(FLERR, "Fix plm/wall: unknown wall {}; {}", arg[at], usage);
 
-  values = FIRST_SLOT + slot_size * walls;
-  scalar_flag = vector_flag = 1;
-  size_vector = 2;
-  extscalar = extvector = 1;
-  global_freq = 1;
-  energy_global_flag = 1;
-  peratom_flag = 1;
-  size_peratom_cols = ENDED;    // dent depth and plastic work
-  peratom_freq = 1;
-  restart_peratom = 1;
-  create_attribute = 1;
-  maxexchange = values;
+    for (at = 5; at < narg;) {
+        int type = 0;
+        const char *file = nullptr;
+        if (strcmp(arg[at], "scenario") == 0 && at + 1 < narg) {
+            file = arg[at + 1];
+            at += 2;
+        } else if (strcmp(arg[at], "type") == 0 && at + 2 < narg) {
+            type = utils::inumeric(FLERR, arg[at + 1], false, lmp);
+            if (type < 1 || type > atom->ntypes)
+                error->all(FLERR, "Fix plm/wall: type {} is not one of the {} atom types", type, atom->ntypes);
+            file = arg[at + 2];
+            at += 3;
+        } else if (strcmp(arg[at], "friction") == 0 && at + 1 < narg) {
+            friction = utils::numeric(FLERR, arg[at + 1], false, lmp);
+            if (!(friction >= 0.0) || !std::isfinite(friction))
+                error->all(FLERR, "Fix plm/wall: friction {} must be a number of 0 or more", arg[at + 1]);
+            if (!atom->omega_flag || !atom->torque_flag)
+                error->all(FLERR,
+                           "Fix plm/wall: friction turns spheres, and atom_style {} has no spin: use atom_style sphere",
+                           atom->atom_style);
+            slot_size = SLOT_SIZE_FRICTION;
+            at += 2;
+            continue;
+        } else
+            error->all(FLERR, "Fix plm/wall: unknown or incomplete keyword {}; {}", arg[at], usage);
+        if (contacts.count(type))
+            error->all(FLERR, "Fix plm/wall: two scenarios for the same spheres; the second is {}", file);
+        char message[2048];
+        plm_contact *contact = plm_contact_open(file, message, sizeof(message));
+        if (!contact) error->all(FLERR, "Fix plm/wall: {}", message);
+        if (plm_contact_effective_radius(contact) != plm_contact_radius(contact))
+            error->all(FLERR,
+                       "Fix plm/wall: {}: half_space.radius curves the wall, and the law of a curved wall does not "
+                       "scale to spheres of "
+                       "other radii; leave it out",
+                       file);
+        contacts[type] = contact;
+    }
 
-  FixPLMWall::grow_arrays(atom->nmax);
-  atom->add_callback(Atom::GROW);
-  atom->add_callback(Atom::RESTART);
-  for (int i = 0; i < atom->nlocal; i++) FixPLMWall::set_arrays(i);
+    for (int type = 0; type <= atom->ntypes; type++) {
+        const auto found = contacts.count(type) ? contacts.find(type) : contacts.find(0);
+        const plm_contact *contact = found == contacts.end() ? nullptr : found->second;
+        // 52 bits, which a double holds exactly
+        laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0,
+                        contact ? plm_contact_validated_indentation(contact) : 0.0,
+                        static_cast<double>(plm_contact_fingerprint(contact) >> 12)});
+    }
+
+    values = FIRST_SLOT + slot_size * walls;
+    scalar_flag = vector_flag = 1;
+    size_vector = 2;
+    extscalar = extvector = 1;
+    global_freq = 1;
+    energy_global_flag = 1;
+    peratom_flag = 1;
+    size_peratom_cols = ENDED; // dent depth and plastic work
+    peratom_freq = 1;
+    restart_peratom = 1;
+    create_attribute = 1;
+    maxexchange = values;
+
+    FixPLMWall::grow_arrays(atom->nmax);
+    atom->add_callback(Atom::GROW);
+    atom->add_callback(Atom::RESTART);
+    for (int i = 0; i < atom->nlocal; i++) FixPLMWall::set_arrays(i);
 }
 
-FixPLMWall::~FixPLMWall()
-{
-  atom->delete_callback(id, Atom::GROW);
-  atom->delete_callback(id, Atom::RESTART);
-  memory->destroy(state);
-  delete[] region_name;
-  for (auto &entry : contacts) plm_contact_free(entry.second);
+FixPLMWall::~FixPLMWall() {
+    atom->delete_callback(id, Atom::GROW);
+    atom->delete_callback(id, Atom::RESTART);
+    memory->destroy(state);
+    delete[] region_name;
+    for (const auto &entry : contacts) plm_contact_free(entry.second);
 }
 
 int FixPLMWall::setmask() { return POST_FORCE; }
 
-void FixPLMWall::init()
-{
-  if (region_name) {
-    region = domain->get_region_by_id(region_name);
-    if (!region) error->all(FLERR, "Fix plm/wall: region {} is gone", region_name);
-    if (region->dynamic_check() || region->varshape)
-      error->all(FLERR, "Fix plm/wall: region {} moves; the law is that of a wall at rest", region_name);
-  }
-  if (utils::strmatch(update->integrate_style, "^respa")) error->all(FLERR, "Fix plm/wall: run_style respa is not supported");
-}
-
-void FixPLMWall::setup(int vflag)
-{
-  post_force(vflag);
-  if (!is_advised) advise();
-  is_advised = true;
-}
-
-/* Reports once which time step is needed for the shortest contact, and what waves would take of the fastest impact. By the
-   same scaling, a speed v is v sqrt(density ratio) for the sphere of the scenario. */
-void FixPLMWall::advise()
-{
-  // shortest contact; and the largest loss by waves, with e of that impact
-  double shortest = HUGE_VAL, lost = 0.0, of_law = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const plm_contact *contact = laws[atom->type[i]].contact;
-    if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
-    const double *v = atom->v[i];
-    double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * length_unit / time_unit;
-    const double scale = scale_of(i);
-    const double denser = sqrt(atom->rmass[i] * mass_unit * scale * scale * scale / plm_contact_mass(contact));
-    if (speed == 0.0) speed = plm_contact_yield_speed(contact) / denser;
-    double e;
-    const double time = plm_contact_time(contact, speed * denser, &e) * denser / scale / time_unit;
-    if (time < shortest) shortest = time;
-    const double loss = e - plm_contact_restitution_with_waves(contact, speed * denser);
-    if (loss > lost) {
-      lost = loss;
-      of_law = e;
+void FixPLMWall::init() {
+    if (region_name) {
+        region = domain->get_region_by_id(region_name);
+        if (!region) error->all(FLERR, "Fix plm/wall: region {} is gone", region_name);
+        if (region->dynamic_check() || region->varshape)
+            error->all(FLERR, "Fix plm/wall: region {} moves; the law is that of a wall at rest", region_name);
     }
-  }
-  struct { double loss; int rank; } mine{lost, comm->me}, worst;
-  MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
-  MPI_Bcast(&of_law, 1, MPI_DOUBLE, worst.rank, world);
-  double all;
-  MPI_Allreduce(&shortest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
-  if (comm->me != 0 || all == HUGE_VAL) return;
-  const double wanted = all / STEPS_FOR_E;
-  utils::logmesg(lmp,
-                 "Fix plm/wall: the shortest contact lasts {:.4g}; {:.0f} steps of it keep e within 0.1 %: timestep {:.3g} "
-                 "or less (it is {:.3g})\n",
-                 all, STEPS_FOR_E, wanted, update->dt);
-  if (worst.loss > 0.0)
-    utils::logmesg(lmp,
-                   "Fix plm/wall: elastic waves are left out: they would lower e from {:.4f} to {:.4f} where they take most\n",
-                   of_law, of_law - worst.loss);
-  if (all < LEAST_STEPS * update->dt)
-    error->warning(FLERR,
-                   "Fix plm/wall: e is not meaningful: the shortest contact has only {:.1f} time steps. Use a timestep of {:.3g} or less",
-                   all / update->dt, wanted);
-  else if (update->dt > wanted)
-    error->warning(FLERR, "Fix plm/wall: the timestep {:.3g} is too long for e within 0.1 %", update->dt);
+    if (utils::strmatch(update->integrate_style, "^respa"))
+        error->all(FLERR, "Fix plm/wall: run_style respa is not supported");
 }
 
-void FixPLMWall::post_force(int /*vflag*/)
-{
-  double **x = atom->x;
-  const double *radius = atom->radius;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    double *slots = state[i] + FIRST_SLOT;
-    state[i][PLASTIC] = state[i][ENDED];
-    if (!region) {
-      const double distance = x[i][2] - height;
-      if (distance < radius[i]) {
-        const bool is_new = slots[WALL] == 0.0;
-        slots[WALL] = 1.0;
-        update_contact(i, 0.0, 0.0, 1.0, distance, slots, is_new);
-      } else if (slots[WALL] != 0.0)
-        end_contact(i, slots);
-    } else if (region->match(x[i][0], x[i][1], x[i][2])) {
-      const int n = region->surface(x[i][0], x[i][1], x[i][2], radius[i]);
-      for (int k = 0; k < walls; k++) {
-        double *slot = slots + slot_size * k;
-        const bool is_open = slot[WALL] != 0.0;
-        const auto is_this = [&](const Region::Contact &c) { return c.iwall + 1.0 == slot[WALL]; };
-        if (is_open && std::none_of(region->contact, region->contact + n, is_this)) end_contact(i, slot);
-      }
-      for (int c = 0; c < n; c++) {
-        const Region::Contact &at = region->contact[c];
-        double *slot = nullptr;
-        for (int k = walls - 1; k >= 0; k--)
-          if (slots[slot_size * k + WALL] == 0.0 && !slot) slot = slots + slot_size * k;
-        for (int k = 0; k < walls; k++)
-          if (slots[slot_size * k + WALL] == at.iwall + 1.0) slot = slots + slot_size * k;
-        if (!slot) error->one(FLERR, "Fix plm/wall: a sphere touches more than {} walls of the region", walls);
-        const bool is_new = slot[WALL] == 0.0;
-        slot[WALL] = at.iwall + 1.0;
-        if (!is_curved && std::abs(at.radius) > 0.0 && std::abs(at.radius) < CURVED * radius[i]) {
-          is_curved = true;
-          error->warning(FLERR,
-                         "Fix plm/wall: region {} is curved like a sphere of radius {:.4g} where a sphere of radius {:.4g} touches it; "
-                         "the law takes it as flat",
-                         region_name, std::abs(at.radius), radius[i]);
+void FixPLMWall::setup(int vflag) {
+    post_force(vflag);
+    if (!is_advised) advise();
+    is_advised = true;
+}
+
+/* Reports once which time step is needed for the shortest contact, and what waves would take of the fastest impact. By
+   the same scaling, a speed v is v sqrt(density ratio) for the sphere of the scenario. */
+void FixPLMWall::advise() {
+    // shortest contact; and the largest loss by waves, with e of that impact
+    double shortest = HUGE_VAL, lost = 0.0, of_law = 0.0;
+    for (int i = 0; i < atom->nlocal; i++) {
+        if (!(atom->mask[i] & groupbit)) continue;
+        const plm_contact *contact = laws[atom->type[i]].contact;
+        if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
+        const double *v = atom->v[i];
+        double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * length_unit / time_unit;
+        const double scale = scale_of(i);
+        const double denser = sqrt(atom->rmass[i] * mass_unit * scale * scale * scale / plm_contact_mass(contact));
+        if (speed == 0.0) speed = plm_contact_yield_speed(contact) / denser;
+        double e;
+        const double time = plm_contact_time(contact, speed * denser, &e) * denser / scale / time_unit;
+        if (time < shortest) shortest = time;
+        const double loss = e - plm_contact_restitution_with_waves(contact, speed * denser);
+        if (loss > lost) {
+            lost = loss;
+            of_law = e;
         }
-        update_contact(i, at.delx / at.r, at.dely / at.r, at.delz / at.r, at.r, slot, is_new);
-      }
-    } else
-      error->one(FLERR, "Fix plm/wall: the centre of sphere {} is outside of region {}", atom->tag[i], region_name);
-  }
+    }
+    struct {
+        double loss;
+        int rank;
+    } mine{lost, comm->me}, worst;
+    MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+    MPI_Bcast(&of_law, 1, MPI_DOUBLE, worst.rank, world);
+    double all;
+    MPI_Allreduce(&shortest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+    if (comm->me != 0 || all == HUGE_VAL) return;
+    const double wanted = all / STEPS_FOR_E;
+    utils::logmesg(
+        lmp,
+        "Fix plm/wall: the shortest contact lasts {:.4g}; {:.0f} steps of it keep e within 0.1 %: timestep {:.3g} "
+        "or less (it is {:.3g})\n",
+        all, STEPS_FOR_E, wanted, update->dt);
+    if (worst.loss > 0.0)
+        utils::logmesg(
+            lmp,
+            "Fix plm/wall: elastic waves are left out: they would lower e from {:.4f} to {:.4f} where they take most\n",
+            of_law, of_law - worst.loss);
+    if (all < LEAST_STEPS * update->dt)
+        error->warning(FLERR,
+                       "Fix plm/wall: e is not meaningful: the shortest contact has only {:.1f} time steps. Use a "
+                       "timestep of {:.3g} or less",
+                       all / update->dt, wanted);
+    else if (update->dt > wanted)
+        error->warning(FLERR, "Fix plm/wall: the timestep {:.3g} is too long for e within 0.1 %", update->dt);
+}
+
+void FixPLMWall::post_force(int /*vflag*/) {
+    double **x = atom->x;
+    const double *radius = atom->radius;
+    for (int i = 0; i < atom->nlocal; i++) {
+        if (!(atom->mask[i] & groupbit)) continue;
+        double *slots = state[i] + FIRST_SLOT;
+        state[i][PLASTIC] = state[i][ENDED];
+        if (!region) {
+            const double distance = x[i][2] - height;
+            if (distance < radius[i]) {
+                const bool is_new = slots[WALL] == 0.0;
+                slots[WALL] = 1.0;
+                update_contact(i, 0.0, 0.0, 1.0, distance, slots, is_new);
+            } else if (slots[WALL] != 0.0)
+                end_contact(i, slots);
+        } else if (region->match(x[i][0], x[i][1], x[i][2])) {
+            const int n = region->surface(x[i][0], x[i][1], x[i][2], radius[i]);
+            for (int k = 0; k < walls; k++) {
+                double *slot = slots + slot_size * k;
+                const bool is_open = slot[WALL] != 0.0;
+                const auto is_this = [&](const Region::Contact &c) { return c.iwall + 1.0 == slot[WALL]; };
+                if (is_open && std::none_of(region->contact, region->contact + n, is_this)) end_contact(i, slot);
+            }
+            for (int c = 0; c < n; c++) {
+                const Region::Contact &at = region->contact[c];
+                double *slot = nullptr;
+                for (int k = walls - 1; k >= 0; k--)
+                    if (slots[slot_size * k + WALL] == 0.0 && !slot) slot = slots + slot_size * k;
+                for (int k = 0; k < walls; k++)
+                    if (slots[slot_size * k + WALL] == at.iwall + 1.0) slot = slots + slot_size * k;
+                if (!slot) error->one(FLERR, "Fix plm/wall: a sphere touches more than {} walls of the region", walls);
+                const bool is_new = slot[WALL] == 0.0;
+                slot[WALL] = at.iwall + 1.0;
+                if (!is_curved && std::abs(at.radius) > 0.0 && std::abs(at.radius) < CURVED * radius[i]) {
+                    is_curved = true;
+                    error->warning(FLERR,
+                                   "Fix plm/wall: region {} is curved like a sphere of radius {:.4g} where a sphere of "
+                                   "radius {:.4g} touches it; "
+                                   "the law takes it as flat",
+                                   region_name, std::abs(at.radius), radius[i]);
+                }
+                update_contact(i, at.delx / at.r, at.dely / at.r, at.delz / at.r, at.r, slot, is_new);
+            }
+        } else
+            error->one(FLERR, "Fix plm/wall: the centre of sphere {} is outside of region {}", atom->tag[i],
+                       region_name);
+    }
 }
 
 /* Adds the force of a contact. n is the normal of the wall, towards the sphere. */
-void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new)
-{
-  const Law &law = laws[atom->type[i]];
-  const plm_contact *contact = law.contact;
-  if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
-  const double scale = scale_of(i);
-  const double overlap = atom->radius[i] - distance;
-  const double indentation = overlap * length_unit * scale;
-  if (is_new && !is_inside) {
-    const double *v = atom->v[i];
-    const double way = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * update->dt;
-    if (overlap > MAX_FIRST_OVERLAP_STEPS * way + ROUNDING * atom->radius[i]) {
-      is_inside = true;
-      error->warning(FLERR,
-                     "Fix plm/wall: the initial overlap adds spurious energy. Sphere {} is {:.3g} deep in the wall when it first touches it, "
-                     "and moves {:.3g} in a step. Place spheres outside of the wall",
-                     atom->tag[i], overlap, way);
+void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new) {
+    const Law &law = laws[atom->type[i]];
+    const plm_contact *contact = law.contact;
+    if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
+    const double scale = scale_of(i);
+    const double overlap = atom->radius[i] - distance;
+    const double indentation = overlap * length_unit * scale;
+    if (is_new && !is_inside) {
+        const double *v = atom->v[i];
+        const double way = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * update->dt;
+        if (overlap > MAX_FIRST_OVERLAP_STEPS * way + ROUNDING * atom->radius[i]) {
+            is_inside = true;
+            error->warning(FLERR,
+                           "Fix plm/wall: the initial overlap adds spurious energy. Sphere {} is {:.3g} deep in the "
+                           "wall when it first touches it, "
+                           "and moves {:.3g} in a step. Place spheres outside of the wall",
+                           atom->tag[i], overlap, way);
+        }
     }
-  }
-  const double peak = slot[MEMORY], previous_indentation = slot[NOW];
-  const double of_contact = plm_contact_force(contact, indentation, slot + MEMORY);
-  const double force = of_contact / (scale * scale) / force_unit;
-  if (!std::isfinite(force)) error->one(FLERR, "Fix plm/wall: the force on sphere {} is not finite: is the timestep too long?", atom->tag[i]);
-  double *f = atom->f[i];
-  f[0] += force * nx;
-  f[1] += force * ny;
-  f[2] += force * nz;
-  if (friction >= 0.0) {
-    const double normal[] = {nx, ny, nz};
-    add_friction(i, contact, normal, previous_indentation, indentation, of_contact, slot);
-  }
+    const double peak = slot[MEMORY], previous_indentation = slot[NOW];
+    const double of_contact = plm_contact_force(contact, indentation, slot + MEMORY);
+    const double force = of_contact / (scale * scale) / force_unit;
+    if (!std::isfinite(force))
+        error->one(FLERR, "Fix plm/wall: the force on sphere {} is not finite: is the timestep too long?",
+                   atom->tag[i]);
+    double *f = atom->f[i];
+    f[0] += force * nx;
+    f[1] += force * ny;
+    f[2] += force * nz;
+    if (friction >= 0.0) {
+        const double normal[] = {nx, ny, nz};
+        add_friction(i, contact, normal, previous_indentation, indentation, of_contact, slot);
+    }
 
-  if (indentation > law.validated_indentation && !is_deep) {
-    is_deep = true;
-    error->warning(FLERR,
-                   "Fix plm/wall: force, dent and e of sphere {} are estimates: its overlap {:.3g} exceeds the validated {:.3g} for this "
-                   "radius",
-                   atom->tag[i], overlap, law.validated_indentation / scale / length_unit);
-  }
-  // the plastic work changes only if the dent grows
-  if (slot[MEMORY] != peak) plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, slot + TAKEN);
-  slot[NOW] = indentation;
-  state[i][DENT] = (slot[MEMORY] - slot[MEMORY + 2]) / scale / length_unit;
-  state[i][PLASTIC] += slot[TAKEN] / energy_scale(scale);
+    if (indentation > law.validated_indentation && !is_deep) {
+        is_deep = true;
+        error->warning(FLERR,
+                       "Fix plm/wall: force, dent and e of sphere {} are estimates: its overlap {:.3g} exceeds the "
+                       "validated {:.3g} for this "
+                       "radius",
+                       atom->tag[i], overlap, law.validated_indentation / scale / length_unit);
+    }
+    // the plastic work changes only if the dent grows
+    if (slot[MEMORY] != peak) plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, slot + TAKEN);
+    slot[NOW] = indentation;
+    state[i][DENT] = (slot[MEMORY] - slot[MEMORY + 2]) / scale / length_unit;
+    state[i][PLASTIC] += slot[TAKEN] / energy_scale(scale);
 }
 
 /* Adds friction and its torque: one tangential spring, whose force is its memory. The lever arm is the radius. */
-void FixPLMWall::add_friction(int i, const plm_contact *contact, const double *n, double previous_indentation, double indentation, double force, double *slot)
-{
-  const double scale = scale_of(i), radius = atom->radius[i], *v = atom->v[i], *w = atom->omega[i];
-  double *history = slot + FRICTION;
-  // velocity of the contact point, v - w x R n, along the wall
-  double slip[] = {v[0] - radius * (w[1] * n[2] - w[2] * n[1]), v[1] - radius * (w[2] * n[0] - w[0] * n[2]),
-                   v[2] - radius * (w[0] * n[1] - w[1] * n[0])};
-  const auto along = [&](double *a) {
-    const double off = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
-    for (int k = 0; k < 3; k++) a[k] -= off * n[k];
-  };
-  const auto size = [](const double *a) { return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); };
-  along(slip);
-  for (double &part : slip) part *= update->dt * length_unit * scale;
-  // on a curved region the normal turns: the friction turns with it
-  const double old = size(history);
-  along(history);
-  const double left = size(history);
-  if (left > 0.0)
-    for (int k = 0; k < 3; k++) history[k] *= old / left;
+void FixPLMWall::add_friction(int i, const plm_contact *contact, const double *n, double previous_indentation,
+                              double indentation, double force, double *slot) {
+    const double scale = scale_of(i), radius = atom->radius[i], *v = atom->v[i], *w = atom->omega[i];
+    double *history = slot + FRICTION;
+    // velocity of the contact point, v - w x R n, along the wall
+    double slip[] = {v[0] - radius * (w[1] * n[2] - w[2] * n[1]), v[1] - radius * (w[2] * n[0] - w[0] * n[2]),
+                     v[2] - radius * (w[0] * n[1] - w[1] * n[0])};
+    const auto along = [&](double *a) {
+        const double off = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+        for (int k = 0; k < 3; k++) a[k] -= off * n[k];
+    };
+    const auto size = [](const double *a) { return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); };
+    along(slip);
+    for (double &part : slip) part *= update->dt * length_unit * scale;
+    // on a curved region the normal turns: the friction turns with it
+    const double old = size(history);
+    along(history);
+    const double left = size(history);
+    if (left > 0.0)
+        for (int k = 0; k < 3; k++) history[k] *= old / left;
 
-  // the setup of a run has no step before it
-  if (!update->setupflag && plm_contact_friction(contact, friction, previous_indentation, indentation, force, slot + MEMORY, slip, history) != 0)
-    error->one(FLERR, "Fix plm/wall: the friction on sphere {} is not finite: is the timestep too long?", atom->tag[i]);
-  double *f = atom->f[i], *torque = atom->torque[i], t[3];
-  for (int k = 0; k < 3; k++) {
-    t[k] = history[k] / (scale * scale) / force_unit;
-    f[k] += t[k];
-  }
-  torque[0] -= radius * (n[1] * t[2] - n[2] * t[1]);
-  torque[1] -= radius * (n[2] * t[0] - n[0] * t[2]);
-  torque[2] -= radius * (n[0] * t[1] - n[1] * t[0]);
+    // the setup of a run has no step before it
+    if (!update->setupflag && plm_contact_friction(contact, friction, previous_indentation, indentation, force,
+                                                   slot + MEMORY, slip, history) != 0)
+        error->one(FLERR, "Fix plm/wall: the friction on sphere {} is not finite: is the timestep too long?",
+                   atom->tag[i]);
+    double *f = atom->f[i], *torque = atom->torque[i], t[3];
+    for (int k = 0; k < 3; k++) {
+        t[k] = history[k] / (scale * scale) / force_unit;
+        f[k] += t[k];
+    }
+    torque[0] -= radius * (n[1] * t[2] - n[2] * t[1]);
+    torque[1] -= radius * (n[2] * t[0] - n[0] * t[2]);
+    torque[2] -= radius * (n[0] * t[1] - n[1] * t[0]);
 }
 
 /* Radius of the sphere of the scenario over the radius of sphere i. */
@@ -346,83 +379,79 @@ double FixPLMWall::scale_of(int i) const { return laws[atom->type[i]].radius / a
 double FixPLMWall::energy_scale(double scale) const { return scale * scale * scale * force_unit * length_unit; }
 
 /* The sphere has left the surface: its plastic work is kept, and the next contact is a fresh one. */
-void FixPLMWall::end_contact(int i, double *slot)
-{
-  const double taken = slot[TAKEN] / energy_scale(scale_of(i));
-  state[i][ENDED] += taken;
-  state[i][PLASTIC] += taken;
-  std::fill_n(slot, slot_size, 0.0);
+void FixPLMWall::end_contact(int i, double *slot) {
+    const double taken = slot[TAKEN] / energy_scale(scale_of(i));
+    state[i][ENDED] += taken;
+    state[i][PLASTIC] += taken;
+    std::fill_n(slot, slot_size, 0.0);
 }
 
 /* Energy stored in the contacts, and plastic work of the dents. */
 double FixPLMWall::compute_scalar() { return compute_vector(0) + compute_vector(1); }
 
-double FixPLMWall::compute_vector(int k)
-{
-  double energy = 0.0, all;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    if (k == 1) energy += state[i][PLASTIC];
-    for (int w = 0; w < walls && k == 0; w++) {
-      const double *slot = state[i] + FIRST_SLOT + slot_size * w;
-      if (slot[WALL] == 0.0) continue;
-      const plm_contact *contact = laws[atom->type[i]].contact;
-      double memory[] = {slot[MEMORY], slot[MEMORY + 1], slot[MEMORY + 2]};
-      const double force = plm_contact_force(contact, slot[NOW], memory);
-      energy += plm_contact_energy(contact, slot[NOW], force, memory, nullptr) / energy_scale(scale_of(i));
+double FixPLMWall::compute_vector(int k) {
+    double energy = 0.0, all;
+    for (int i = 0; i < atom->nlocal; i++) {
+        if (!(atom->mask[i] & groupbit)) continue;
+        if (k == 1) energy += state[i][PLASTIC];
+        for (int w = 0; w < walls && k == 0; w++) {
+            const double *slot = state[i] + FIRST_SLOT + slot_size * w;
+            if (slot[WALL] == 0.0) continue;
+            const plm_contact *contact = laws[atom->type[i]].contact;
+            double memory[] = {slot[MEMORY], slot[MEMORY + 1], slot[MEMORY + 2]};
+            const double force = plm_contact_force(contact, slot[NOW], memory);
+            energy += plm_contact_energy(contact, slot[NOW], force, memory, nullptr) / energy_scale(scale_of(i));
+        }
     }
-  }
-  MPI_Allreduce(&energy, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+    MPI_Allreduce(&energy, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+    return all;
 }
 
-double FixPLMWall::memory_usage() { return (double) atom->nmax * values * sizeof(double); }
+double FixPLMWall::memory_usage() { return (double)atom->nmax * values * sizeof(double); }
 
-void FixPLMWall::grow_arrays(int nmax)
-{
-  memory->grow(state, nmax, values, "plm/wall:state");
-  array_atom = state;
+void FixPLMWall::grow_arrays(int nmax) {
+    memory->grow(state, nmax, values, "plm/wall:state");
+    array_atom = state;
 }
 
 void FixPLMWall::copy_arrays(int i, int j, int /*delflag*/) { std::copy_n(state[i], values, state[j]); }
 
 void FixPLMWall::set_arrays(int i) { std::fill_n(state[i], values, 0.0); }
 
-int FixPLMWall::pack_exchange(int i, double *buffer)
-{
-  std::copy_n(state[i], values, buffer);
-  return values;
+int FixPLMWall::pack_exchange(int i, double *buffer) {
+    std::copy_n(state[i], values, buffer);
+    return values;
 }
 
-int FixPLMWall::unpack_exchange(int i, double *buffer)
-{
-  std::copy_n(buffer, values, state[i]);
-  return values;
+int FixPLMWall::unpack_exchange(int i, double *buffer) {
+    std::copy_n(buffer, values, state[i]);
+    return values;
 }
 
-/* In a restart file the number of doubles comes first, then the fingerprint of the contact that the memories belong to. */
-int FixPLMWall::pack_restart(int i, double *buffer)
-{
-  buffer[0] = values + RESTART_HEADER;
-  buffer[1] = laws[atom->type[i]].fingerprint;
-  std::copy_n(state[i], values, buffer + RESTART_HEADER);
-  return values + RESTART_HEADER;
+/* In a restart file the number of doubles comes first, then the fingerprint of the contact that the memories belong to.
+ */
+int FixPLMWall::pack_restart(int i, double *buffer) {
+    buffer[0] = values + RESTART_HEADER;
+    buffer[1] = laws[atom->type[i]].fingerprint;
+    std::copy_n(state[i], values, buffer + RESTART_HEADER);
+    return values + RESTART_HEADER;
 }
 
-void FixPLMWall::unpack_restart(int i, int nth)
-{
-  double *extra = atom->extra[i];
-  int at = 0;
-  for (int skipped = 0; skipped < nth; skipped++) at += static_cast<int>(extra[at]);
-  if (static_cast<int>(extra[at]) != values + RESTART_HEADER)
-    error->one(FLERR,
-               "Fix plm/wall: the restart file was written with another wall, with or without friction, or by an older version; give "
-               "this fix another ID to begin with fresh contacts");
-  if (extra[at + 1] != laws[atom->type[i]].fingerprint)
-    error->one(FLERR,
-               "Fix plm/wall: the restart file was written with another scenario for atoms of type {}, and the dents in it belong to that "
-               "one; use its file, or give this fix another ID to begin with fresh contacts", atom->type[i]);
-  std::copy_n(extra + at + RESTART_HEADER, values, state[i]);
+void FixPLMWall::unpack_restart(int i, int nth) {
+    double *extra = atom->extra[i];
+    int at = 0;
+    for (int skipped = 0; skipped < nth; skipped++) at += static_cast<int>(extra[at]);
+    if (static_cast<int>(extra[at]) != values + RESTART_HEADER)
+        error->one(FLERR, "Fix plm/wall: the restart file was written with another wall, with or without friction, or "
+                          "by an older version; give "
+                          "this fix another ID to begin with fresh contacts");
+    if (extra[at + 1] != laws[atom->type[i]].fingerprint)
+        error->one(FLERR,
+                   "Fix plm/wall: the restart file was written with another scenario for atoms of type {}, and the "
+                   "dents in it belong to that "
+                   "one; use its file, or give this fix another ID to begin with fresh contacts",
+                   atom->type[i]);
+    std::copy_n(extra + at + RESTART_HEADER, values, state[i]);
 }
 
 int FixPLMWall::size_restart(int /*i*/) { return values + RESTART_HEADER; }

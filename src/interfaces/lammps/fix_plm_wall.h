@@ -14,57 +14,58 @@
 namespace LAMMPS_NS {
 
 class FixPLMWall : public Fix {
- public:
-  FixPLMWall(class LAMMPS *, int, char **);
-  ~FixPLMWall() override;
-  int setmask() override;
-  void init() override;
-  void setup(int) override;
-  void post_force(int) override;
+  public:
+    FixPLMWall(class LAMMPS *, int, char **);
+    ~FixPLMWall() override;
+    int setmask() override;
+    void init() override;
+    void setup(int) override;
+    void post_force(int) override;
 
-  double compute_scalar() override;
-  double compute_vector(int) override;
-  double memory_usage() override;
+    double compute_scalar() override;
+    double compute_vector(int) override;
+    double memory_usage() override;
 
-  void grow_arrays(int) override;
-  void copy_arrays(int, int, int) override;
-  void set_arrays(int) override;
-  int pack_exchange(int, double *) override;
-  int unpack_exchange(int, double *) override;
-  int pack_restart(int, double *) override;
-  void unpack_restart(int, int) override;
-  int size_restart(int) override;
-  int maxsize_restart() override;
+    void grow_arrays(int) override;
+    void copy_arrays(int, int, int) override;
+    void set_arrays(int) override;
+    int pack_exchange(int, double *) override;
+    int unpack_exchange(int, double *) override;
+    int pack_restart(int, double *) override;
+    void unpack_restart(int, int) override;
+    int size_restart(int) override;
+    int maxsize_restart() override;
 
- private:
-  void update_contact(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new);
-  void add_friction(int i, const plm_contact *contact, const double *n, double previous_indentation, double indentation, double force, double *slot);
-  void end_contact(int i, double *slot);
-  void advise();
-  double scale_of(int i) const;
-  double energy_scale(double scale) const;
+  private:
+    void update_contact(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new);
+    void add_friction(int i, const plm_contact *contact, const double *n, double previous_indentation,
+                      double indentation, double force, double *slot);
+    void end_contact(int i, double *slot);
+    void advise();
+    double scale_of(int i) const;
+    double energy_scale(double scale) const;
 
-  double height;                              // height of the plane
-  char *region_name;                          // id of the region whose surface is the wall; null for a plane
-  class Region *region;
-  int walls;                                  // largest number of contacts of one sphere at the same time
-  double friction;                            // coefficient of friction; below 0: none
-  int slot_size;                              // doubles of a slot
-  int values;                                 // doubles per sphere: the columns below, and a slot for each contact
-  std::map<int, plm_contact *> contacts;      // by atom type; type 0 stands for all other types
-  struct Law {
-    const plm_contact *contact;
-    double radius;                            // radius of the sphere in the scenario, in units of LAMMPS
-    double validated_indentation;             // its indentation up to which the data behind the law reach, in metres
-    double fingerprint;                       // of the contact, for restart files
-  };
-  std::vector<Law> laws;                      // the law of every atom type
-  double length_unit, force_unit, mass_unit, time_unit;    // units of LAMMPS, in SI units
-  double **state;                             // per sphere: dent depth, plastic work, that of ended contacts, slots
-  bool is_advised;                            // whether the time step was reported
-  bool is_curved, is_deep, is_inside;         // what was warned of: a curved region, a dent beyond the data, a start inside
+    double height;     // height of the plane
+    char *region_name; // id of the region whose surface is the wall; null for a plane
+    class Region *region;
+    int walls;                             // largest number of contacts of one sphere at the same time
+    double friction;                       // coefficient of friction; below 0: none
+    int slot_size;                         // doubles of a slot
+    int values;                            // doubles per sphere: the columns below, and a slot for each contact
+    std::map<int, plm_contact *> contacts; // by atom type; type 0 stands for all other types
+    struct Law {
+        const plm_contact *contact;
+        double radius;                // radius of the sphere in the scenario, in units of LAMMPS
+        double validated_indentation; // its indentation up to which the data behind the law reach, in metres
+        double fingerprint;           // of the contact, for restart files
+    };
+    std::vector<Law> laws;                                // the law of every atom type
+    double length_unit, force_unit, mass_unit, time_unit; // units of LAMMPS, in SI units
+    double **state;                     // per sphere: dent depth, plastic work, that of ended contacts, slots
+    bool is_advised;                    // whether the time step was reported
+    bool is_curved, is_deep, is_inside; // what was warned of: a curved region, a dent beyond the data, a start inside
 };
 
-}    // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

@@ -37,26 +37,17 @@ pub fn force<'py>(
     Ok((Numbers { shape, values: forces }.numpy(py)?, Numbers { shape: of_memories, values: memories }.numpy(py)?))
 }
 
-/// Largest relative difference between a given memory and the law. It allows for a text file with seven digits.
-const ROUNDING: f64 = 1e-6;
-
 /// The force of one contact. Updates its memory `row`.
 fn force_and_update(contact: &impact::Contact, indentation: f64, row: &mut [f64]) -> Result<f64, String> {
     if !indentation.is_finite() {
         return Err(format!("an indentation of {indentation} m is not allowed: it must be finite"));
     }
-    let parts = |memory: Memory| [memory.indentation, memory.force, memory.elastic_approach];
     let &[deepest, force, elastic_approach] = &*row else { return Err("a memory has three numbers".to_owned()) };
     let mut memory = Memory { indentation: deepest, force, elastic_approach };
-    if memory != Memory::default() {
-        let mut own = Memory::default();
-        contact.force(deepest, &mut own);
-        let is_near = |(got, want): (f64, f64)| (got - want).abs() <= ROUNDING * want;
-        if !(own.indentation > 0.0 && parts(memory).into_iter().zip(parts(own)).all(is_near)) {
-            return Err(format!("the memory {row:?} is none of this contact; give zeros to one that was never loaded"));
-        }
+    if !contact.accepts(&memory) {
+        return Err(format!("the memory {row:?} is none of this contact; give zeros to one that was never loaded"));
     }
     let force = contact.force(indentation, &mut memory);
-    row.copy_from_slice(&parts(memory));
+    row.copy_from_slice(&[memory.indentation, memory.force, memory.elastic_approach]);
     if force.is_nan() { Err(format!("the law has no force at an indentation of {indentation} m")) } else { Ok(force) }
 }

@@ -44,7 +44,7 @@ for document in README.md CHANGELOG.md CONTRIBUTING.md src/README.md scenarios/*
     html=$out/pages/${document%.md}.html
     mkdir -p "$out/pages/$from"
     rustdoc --markdown-no-toc --markdown-css "../$(tr -cd / <<<"$document" | sed 's|/|../|g')page.css" --output "$out/pages/$from" "$document"
-    for file in $(grep -oE '(href|src)="[^":#]+' "$html" | sed -nE '/\.(md|css)$/!s/.*"//p' | sort -u); do
+    grep -oE '(href|src)="[^":#]+' "$html" | sed -nE '/\.(md|css)$/!s/.*"//p' | sort -u | while read -r file; do
         # the package of the crate has not all pictures
         [ ! -e "$from/$file" ] || install -D -m 644 "$from/$file" "$out/pages/$from/$file"
     done

@@ -12,7 +12,7 @@ use crate::scenario::keys::{ALL_KEYS, KeyId, NUMBER, ValueForm, WordList};
 /// The keys whose value is a number or a word: path, title, meaning, default, an example, the unit of a number that is written
 /// without one, the words that may be chosen, and the key in whose place it may stand.
 pub fn fields() -> Value {
-    let law = json!({ "path": "law", "title": "Law", "about": "The contact law.", "default": "plm", "words": (LAWS.values)() });
+    let law = json!({ "path": "law", "title": "Law", "description": "The contact law.", "default": "plm", "words": (LAWS.values)() });
     let keys = ALL_KEYS.iter().filter(|key| !key.path.contains("[]")).filter_map(|key| {
         let (example, unit, words) = match key.form {
             ValueForm::Number(quantity) | ValueForm::NumberOr(quantity, _) | ValueForm::Count(quantity) => {
@@ -25,7 +25,7 @@ pub fn fields() -> Value {
         Some(json!({
             "path": key.path,
             "title": path_title(key.path),
-            "about": key.about,
+            "description": key.description,
             "default": key.default.replace(['"', '`'], ""),
             "example": example,
             "unit": unit,

@@ -75,6 +75,45 @@ fn the_springs_rebound_as_the_law_does() {
     }
 }
 
+/// The number in a line after these words.
+fn number_after(text: &str, words: &str) -> f64 {
+    let rest = text.split_once(words).unwrap_or_else(|| panic!("{words} is not in\n{text}")).1;
+    rest.split(|c: char| c == ',' || c == ')' || c.is_whitespace()).next().unwrap().parse().unwrap()
+}
+
+/// The springs that LIGGGHTS and Yade make of their lines, by the formulas of their manuals: a ball on a wall has the e and the contact
+/// time that the head of the lines states.
+///
+/// LIGGGHTS, `model hooke`: k = (16/15) √R Y* (15 m V²/(16 √R Y*))^(1/5), with the damping of a linear spring for e; the wall has
+/// the material of the sphere, and the contact ends with the overlap. Yade, `ViscElMat` on `ViscElMat`: springs and dashpots in series,
+/// so half of kn and cn, and a force that never pulls.
+#[test]
+fn lines_of_liggghts_and_yade_rebound_as_stated() {
+    let (mass, radius) = (steel().mass(), 5e-3_f64);
+    for speed in [0.1, 3.0] {
+        let lines = |code: &str| printed(&[STEEL, "--to", code, "--speed", &format!("{speed} m/s")]);
+        let (liggghts, yade) = (lines("liggghts"), lines("yade"));
+        let near = |text: &str, (rebound, lasted): (f64, f64)| {
+            let stated = [number_after(text, "m/s: e "), number_after(text, "contact time ")];
+            assert!((rebound / stated[0] - 1.0).abs() < 1e-3, "{speed}: e {rebound}, {stated:?}");
+            assert!((lasted / stated[1] - 1.0).abs() < 1e-3, "{speed}: {lasted} s, {stated:?}");
+        };
+        let poissons_ratio = number_after(&liggghts, "poissonsRatio peratomtype ");
+        let modulus = number_after(&liggghts, "youngsModulus peratomtype ") / (2.0 * (1.0 - poissons_ratio.powi(2)));
+        let factor = 16.0 / 15.0 * radius.sqrt() * modulus;
+        let of_speed = number_after(&liggghts, "characteristicVelocity scalar ");
+        let stiffness = factor * (mass * of_speed * of_speed / factor).powf(0.2);
+        let damping = damping(mass, stiffness, number_after(&liggghts, "coefficientRestitution peratomtypepair 1 "));
+        let spring = |x: f64, v: f64| stiffness * x + damping * v;
+        let time = number_after(&liggghts, "contact time ");
+        near(&liggghts, integrated((mass, speed, time), spring, |x, _| x <= 0.0));
+
+        let [stiffness, damping] = ["kn=", "cn="].map(|name| 0.5 * number_after(&yade, name));
+        let spring = |x: f64, v: f64| (stiffness * x + damping * v).max(0.0);
+        near(&yade, integrated((mass, speed, time), spring, |_, pushed| pushed <= 0.0));
+    }
+}
+
 /// Damping of a linear spring with this e, from the logarithmic decrement; the contact ends with the overlap.
 pub(super) fn damping(mass: f64, stiffness: f64, e: f64) -> f64 {
     let share = -e.ln() / (std::f64::consts::PI.powi(2) + e.ln().powi(2)).sqrt();

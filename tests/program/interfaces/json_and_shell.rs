@@ -1,5 +1,5 @@
-//! The interface to programs and shells: summaries and errors as JSON, standard input, completions, manual pages, and
-//! the examples of the help.
+//! The interface to programs and shells: summaries and errors as JSON, standard input, completions, and the
+//! examples of the help.
 
 use std::process::{Command, Output};
 

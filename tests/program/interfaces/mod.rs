@@ -9,4 +9,5 @@ pub mod hostile_input;
 pub mod json_and_shell;
 pub mod laws;
 pub mod licences;
+pub mod mutated_files;
 pub mod several_files;

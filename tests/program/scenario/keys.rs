@@ -47,7 +47,7 @@ fn reference_pages_have_tables_of_program() {
 #[test]
 fn the_stub_of_an_impact_has_its_results() {
     const MARKS: [&str; 2] = ["    # results: written by a test\n", "    # end of results\n"];
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/interfaces/python/plm_impact/__init__.pyi");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/interfaces/python/plm_impact/_core.pyi");
     let stub = std::fs::read_to_string(&path).unwrap();
     let of_impacts = impact_results().into_iter().filter(|result| result.condition != TABLES);
     let names = of_impacts.flat_map(|result| [result.name.split('.').next().unwrap(), result.name]);

@@ -28,7 +28,7 @@ fn validate_compares_with_every_reference() {
     assert!(table.starts_with("quantity") && table.lines().all(|line| line.len() < 400), "{table}");
 
     let rows = records::<Row>(&desk.read("v/validation.csv"));
-    // 3 quantities at 268 points of five curves beyond first yield; 63 unloadings, of which 59 have a known spent work; 3
+    // 3 quantities at the points of five curves beyond first yield; 63 unloadings, of which 59 have a known spent work; 3
     // impacts; 43 unloadings of metals that harden; 4 quantities of load cycles in which
     // the sphere yields or both, with at least 9 elements in contact; two equal balls against two walls at 3 speeds; 10 impacts with a
     // strain rate; 6 rebounds of Leeb devices, 19 hardnesses of steels; 4 heights of a bouncing ball with air and without; 8

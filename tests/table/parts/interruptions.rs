@@ -1,27 +1,43 @@
 //! A table beside other processes and on a real disk: two writers, a full disk, no locks, signals.
 
-use std::process::Output;
-
 use super::*;
 use crate::output_after_signal;
 
+/// True if a process is stopped by a signal.
+fn is_stopped(process: u32) -> bool {
+    let state = Command::new("ps").args(["-o", "state=", "-p", &process.to_string()]).output().unwrap();
+    text(&state.stdout).trim().starts_with('T')
+}
+
+/// The first writer stops after its first change of the disk, then after its second, and so on. Each time a second writer makes the
+/// same table meanwhile, and the first one then goes on: neither is refused, and nothing is lost.
 #[test]
 fn concurrent_writers_succeed() {
-    let desk = Sandbox::with(random());
-    let kinds: Vec<(Option<u32>, Vec<&str>)> =
-        FORMATS.iter().flat_map(|format| [None, Some(600)].map(|rows| (rows, vec!["--format", *format]))).collect();
-    for (rows, more) in &kinds {
-        ends(run(&desk, "alone", *rows, more), 0);
-        for _ in 0..20 / kinds.len() {
-            let pair = [(); 2].map(|()| run(&desk, "out", *rows, more).spawn().unwrap());
-            for child in pair {
-                let output: Output = child.wait_with_output().unwrap();
-                assert_eq!(output.status.code(), Some(0), "{rows:?} {more:?}: {}", text(&output.stderr));
-            }
-            assert!(bytes(&desk, "out") == bytes(&desk, "alone"), "{rows:?} {more:?}");
-            assert_eq!(summary(&desk, "out"), summary(&desk, "alone"));
-            assert_eq!(desk.files("out"), desk.files("alone"));
+    let stop = Command::new("bash").args(["-c", "kill -l STOP"]).output().unwrap();
+    let stop = text(&stop.stdout).trim().to_owned();
+    let desk = Sandbox::with(random().replace("12000", "8"));
+    for (rows, format) in FORMATS.into_iter().flat_map(|format| [None, Some(2)].map(|rows| (rows, format))) {
+        let more = ["--format", format];
+        ends(run(&desk, "alone", rows, &more), 0);
+        for change in 1.. {
+            let mut command = run(&desk, "out", rows, &more);
+            let mut first = command.env("PLM_IMPACT_TEST_SIGNAL", format!("{stop}@{change}")).spawn().unwrap();
+            let process = first.id();
+            crate::wait(&mut first, || is_stopped(process));
+            let is_through = first.try_wait().unwrap().is_some();
+            ends(run(&desk, "out", rows, &more), 0);
+            Command::new("kill").args(["-CONT", &process.to_string()]).stderr(Stdio::null()).status().unwrap();
+            let output = first.wait_with_output().unwrap();
+            let after = format!("{rows:?} {format}, change {change}");
+            assert_eq!(output.status.code(), Some(0), "{after}: {}", text(&output.stderr));
+            assert!(bytes(&desk, "out") == bytes(&desk, "alone"), "{after}");
+            assert_eq!(summary(&desk, "out"), summary(&desk, "alone"), "{after}");
+            assert_eq!(desk.files("out"), desk.files("alone"), "{after}");
             fs::remove_dir_all(desk.path("out")).unwrap();
+            if is_through {
+                assert!(change > 4, "{after}");
+                break;
+            }
         }
         fs::remove_dir_all(desk.path("alone")).unwrap();
     }

@@ -34,9 +34,11 @@ def of_import() -> float:
 
 def main() -> None:
     steel = {"youngs_modulus": 210e9, "poissons_ratio": 0.3}
-    contact = plm.Contact(sphere={"radius": 5e-3, "density": 7850, **steel}, half_space={"yield_strength": 345e6, **steel})
+    contact = plm.Contact(
+        sphere={"radius": 5e-3, "density": 7850, **steel}, half_space={"yield_strength": 345e6, **steel}
+    )
     speeds, thousand = np.logspace(-3, 2, ROWS), np.logspace(-3, 1, 1000)
-    deep, memory = contact.force(1e-6 * thousand)
+    _deep, memory = contact.force(1e-6 * thousand)
     calls: dict[str, Callable[[], object]] = {
         "`contact.restitution(3.0)`": lambda: contact.restitution(3.0),
         "`contact.restitution(v)`, 1000 speeds": lambda: contact.restitution(thousand),
@@ -55,7 +57,10 @@ def main() -> None:
             best[name] = min(took, best.get(name, took))
     best["`import plm_impact` (NumPy is loaded with the first array)"] = min(of_import() for _ in range(ROUNDS))
     lines = ["| what | time |", "|---|---|"]
-    lines += [f"| {name} | {took * 1e6:.1f} us |" if took < 1e-3 else f"| {name} | {took * 1e3:.1f} ms |" for name, took in best.items()]
+    lines += [
+        f"| {name} | {took * 1e6:.1f} us |" if took < 1e-3 else f"| {name} | {took * 1e3:.1f} ms |"
+        for name, took in best.items()
+    ]
     if len(sys.argv) > 1:
         lines.append(f"| size of the wheel | {Path(sys.argv[1]).stat().st_size / 1e6:.1f} MB |")
     head = f"""# The Python module

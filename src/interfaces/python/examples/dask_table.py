@@ -27,10 +27,14 @@ def divided(
 
 if __name__ == "__main__":
     steel = {"youngs_modulus": 210e9, "poissons_ratio": 0.3}
-    contact = plm.Contact(sphere={"radius": 5e-3, "density": 7850, **steel}, half_space={"yield_strength": 345e6, **steel})
+    contact = plm.Contact(
+        sphere={"radius": 5e-3, "density": 7850, **steel}, half_space={"yield_strength": 345e6, **steel}
+    )
     speeds, radii = np.logspace(-3, 0.3, 1000), np.linspace(1e-3, 5e-3, 40)[:, np.newaxis]
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
         table = divided(client, contact, 16, speed=speeds, radius=radii)
     whole = plm.impacts(contact, speed=speeds, radius=radii)
-    same = all(np.array_equal(table[name], whole[name].ravel(), equal_nan=whole[name].dtype.kind == "f") for name in whole)
+    same = all(
+        np.array_equal(table[name], whole[name].ravel(), equal_nan=whole[name].dtype.kind == "f") for name in whole
+    )
     print(f"{len(table['restitution'])} rows, the same as undivided: {same}")

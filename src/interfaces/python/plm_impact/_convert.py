@@ -1,5 +1,7 @@
 """What Python hands over, as the library takes it: dicts as TOML, arrays as doubles, measurements as CSV."""
 
+from __future__ import annotations
+
 import csv
 import io
 import json
@@ -7,12 +9,17 @@ import math
 import os
 import re
 from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 # largest depth of dicts and lists inside of each other; no scenario needs as much
 MAX_DEPTH = 16
 
 
-def reject_units_and_masks(value, place):
+def reject_units_and_masks(value: Any, place: str) -> None:
     """Refuses arrays with units and masked arrays, because NumPy would drop units and mask without a warning."""
     unit = 'units; pass plain numbers in SI, or a string such as "5 mm"'
     for name, what in [("units", unit), ("unit", unit), ("mask", "a mask; leave the masked values out")]:
@@ -20,7 +27,7 @@ def reject_units_and_masks(value, place):
             raise TypeError(f"{place}: the value has {what}")
 
 
-def numbers(value, place):
+def numbers(value: Any, place: str) -> NDArray[np.float64]:
     """Numbers in SI units as a contiguous array of doubles. Messages use `place`, the name of the numbers."""
     import numpy
 
@@ -31,11 +38,13 @@ def numbers(value, place):
     return numpy.require(array, "float64", ["C", "A"])
 
 
-def scenario_of(tables):
+def scenario_of(tables: Mapping[Any, Any]) -> tuple[str, list[str]]:
     """A scenario that is given as a dict: its TOML text, in which tables and keys keep the order of the dict, and overrides.
     A law that is given by its name alone becomes an override, which is where a scenario takes names of laws.
     """
-    plain, rest, overrides = [], [], []
+    plain: list[str] = []
+    rest: list[str] = []
+    overrides: list[str] = []
     for name, value in tables.items():
         if not isinstance(name, str):
             raise TypeError("keys must be strings")
@@ -50,7 +59,7 @@ def scenario_of(tables):
     return "\n".join([*plain, *rest, ""]), overrides
 
 
-def toml(value, place, depth=0):
+def toml(value: Any, place: str, depth: int = 0) -> str:
     """A value in TOML. Messages use `place`, the path of its key."""
     if depth > MAX_DEPTH:
         raise ValueError(f"{place}: too many dicts or lists inside of each other")
@@ -81,17 +90,17 @@ def toml(value, place, depth=0):
     raise TypeError(f"{place}: found {type(value).__name__}, expected a number, a text, a list or a dict")
 
 
-def quoted(text):
+def quoted(text: str) -> str:
     """A text with quotes. TOML escapes it as JSON does, and DEL too."""
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
-def key(name):
+def key(name: str) -> str:
     """A key, with quotes if it needs them."""
     return name if re.fullmatch("[A-Za-z0-9_-]+", name) else quoted(name)
 
 
-def csv_of(data):
+def csv_of(data: Any) -> str:
     """Measurements as the text of a CSV file, with the shortest digits from which the same number is read."""
     import numpy
 
@@ -108,8 +117,10 @@ def csv_of(data):
         reject_units_and_masks(data[name], name)
         columns.append(numpy.atleast_1d(numpy.asarray(data[name])))
 
-    def field(value):
-        is_missing = value is None or type(value).__name__ == "NAType" or isinstance(value, float) and math.isnan(value)
+    def field(value: Any) -> str:
+        is_missing = (
+            value is None or type(value).__name__ == "NAType" or (isinstance(value, float) and math.isnan(value))
+        )
         return "" if is_missing else str(value)
 
     text = io.StringIO()

@@ -1,10 +1,17 @@
 """Tables of impacts: which keys are meant, and how their values are broadcast."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 from . import _core
 from ._results import Table
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
-def impacts(contact, /, **keys):
+
+def impacts(contact: _core.Contact, /, **keys: ArrayLike) -> Table:
     """A table of impacts of a contact. Every other argument is a numeric key with its values: numbers in SI units (an angle in
     rad), arrays of numbers, or a text with a unit; arrays are broadcast against each other. The key is named by the last part
     of its path (`speed`), by all parts (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`):
@@ -26,7 +33,7 @@ def impacts(contact, /, **keys):
     """
     if not keys:
         raise ValueError("no key is given; write one such as speed=[1.0, 2.0]")
-    given = {}
+    given: dict[int, tuple[str, str, Any]] = {}
     for name, value in keys.items():
         place, path = _cache.get((name, contact._law)) or resolve_key(name, contact._law)
         if place in given:
@@ -49,10 +56,10 @@ def impacts(contact, /, **keys):
 LOW_PRIORITY = ["sphere.yield_strength", "sphere.hardness", "half_space.radius", "half_space.mass"]
 
 # by name and law
-_cache: "dict[tuple[str, str], tuple[int, str]]" = {}
+_cache: dict[tuple[str, str], tuple[int, str]] = {}
 
 
-def resolve_key(name, law):
+def resolve_key(name: str, law: str) -> tuple[int, str]:
     """The key that the name of an argument means under a law: its place in the registry, and its path."""
     paths = _core.numeric_keys()
     found = [path for path in paths if name in (path, path.replace(".", "_"))]

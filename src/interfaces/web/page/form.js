@@ -29,7 +29,9 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
     const of = (name) => known(name).filter(([key]) => key.split(".")[0] === table);
     const instead = (key) => fields.find((field) => field.path === key)?.instead;
     const pair = (key) => instead(key) ?? fields.find((field) => field.instead === key)?.path;
-    const out = of(name).flatMap(([key]) => [key, instead(key)]).filter((key) => values[key]);
+    const out = of(name)
+      .flatMap(([key]) => [key, instead(key)])
+      .filter((key) => values[key]);
     const back = name ? [] : of(values[path]).filter(([key]) => !values[key] && !values[pair(key)]);
     changed([[path, name], ...out.map((key) => [key, ""]), ...back]);
   }
@@ -38,7 +40,11 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
     const main = MAIN.includes(table);
     const name = table.replace("_", "-");
     const error = element("p", { className: "error", id: `error-${table}`, hidden: true });
-    const more = element("details", { className: "more" }, element("summary", { ariaLabel: `More of ${name}` }, "More"));
+    const more = element(
+      "details",
+      { className: "more" },
+      element("summary", { ariaLabel: `More of ${name}` }, "More"),
+    );
     const group = element("details", { open: main, className: "group" }, element("summary", name), error);
     form.append(group);
     return { group, error, more, main, isKind: !main && kinds.includes(table) };
@@ -48,7 +54,7 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
   function place(row, path, { group, error, more, main }) {
     const isUsual = !main || path.endsWith(".material") || usual.includes(path);
     if (path.endsWith(".material")) error.after(row.line);
-    else if (isUsual) (more.isConnected ? more.before(row.line) : group.append(row.line));
+    else if (isUsual) more.isConnected ? more.before(row.line) : group.append(row.line);
     else more.append(row.line);
     if (!isUsual) group.append(more);
   }

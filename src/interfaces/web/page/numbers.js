@@ -9,25 +9,37 @@ const LARGE = ["impact speed", "restitution"];
 
 /** The text of the command: a list or a table for every paragraph that is one, any other as it is printed. */
 export function blocks(text) {
-  return text.trimEnd().split(/\n\n+/).flatMap((paragraph) => {
-    const lines = paragraph.split("\n").map((line) => line.trim().split(/ {2,}/));
-    // sentences before a table
-    const first = lines.findIndex((cells) => cells.length > 1);
-    const [before, rest] = first < 0 ? [lines, []] : [lines.slice(0, first), lines.slice(first)];
-    const said = before.map(([sentence]) => element("p", sentence));
-    if (rest.length === 0) return said;
-    const [head, ...rows] = rest;
-    // a line of dots stands for rows that are left out
-    if (head.length > 2 && rows.length > 0 && rows.every((cells) => cells.length === head.length || cells[0] === "...")) {
-      return [...said, table(head, rows)];
-    }
-    return rest.every((cells) => cells.length > 1) ? [...said, ...list(rest)] : [element("pre", { tabIndex: 0 }, paragraph)];
-  });
+  return text
+    .trimEnd()
+    .split(/\n\n+/)
+    .flatMap((paragraph) => {
+      const lines = paragraph.split("\n").map((line) => line.trim().split(/ {2,}/));
+      // sentences before a table
+      const first = lines.findIndex((cells) => cells.length > 1);
+      const [before, rest] = first < 0 ? [lines, []] : [lines.slice(0, first), lines.slice(first)];
+      const said = before.map(([sentence]) => element("p", sentence));
+      if (rest.length === 0) return said;
+      const [head, ...rows] = rest;
+      // a line of dots stands for rows that are left out
+      if (
+        head.length > 2 &&
+        rows.length > 0 &&
+        rows.every((cells) => cells.length === head.length || cells[0] === "...")
+      ) {
+        return [...said, table(head, rows)];
+      }
+      return rest.every((cells) => cells.length > 1)
+        ? [...said, ...list(rest)]
+        : [element("pre", { tabIndex: 0 }, paragraph)];
+    });
 }
 
 /** The first rows of a CSV file, its numbers with four digits. */
 export function csvTable(name, csv, most) {
-  const [head, ...rows] = csv.trimEnd().split("\n").map((line) => line.split(","));
+  const [head, ...rows] = csv
+    .trimEnd()
+    .split("\n")
+    .map((line) => line.split(","));
   const shown = rows.slice(0, most).map((cells) => cells.map(rounded));
   const caption = rows.length > most ? `the first ${most} of ${rows.length} rows of ${name}` : name;
   return table(head, shown, caption);
@@ -41,7 +53,10 @@ function rounded(cell) {
 
 // Names with their values; those that few look for are folded.
 function list(lines) {
-  const is = (quiet) => ([name]) => QUIET.includes(name) === quiet;
+  const is =
+    (quiet) =>
+    ([name]) =>
+      QUIET.includes(name) === quiet;
   const [shown, folded] = [false, true].map((quiet) => lines.filter(is(quiet)));
   const more = folded.length > 0 ? [element("details", element("summary", "Numerical accuracy"), pairs(folded))] : [];
   return [pairs(shown), ...more];
@@ -51,7 +66,10 @@ function pairs(lines) {
   const list = element("dl");
   for (const [name, ...values] of lines) {
     const isLarge = LARGE.includes(name);
-    const parts = values.flatMap((value, place) => [...(isLarge ? emphasised(value, place) : [element("span", value)]), " "]);
+    const parts = values.flatMap((value, place) => [
+      ...(isLarge ? emphasised(value, place) : [element("span", value)]),
+      " ",
+    ]);
     const className = isLarge ? "large" : "";
     list.append(element("dt", { className }, name), " ", element("dd", { className }, ...parts));
   }
@@ -77,9 +95,18 @@ export function shortened(line) {
 
 /** The last dent of a slow indentation, or its last force where nothing yields. */
 export function lastStep(text) {
-  const lines = text.split(/\n\n+/)[0].split("\n").map((line) => line.trim().split(/ {2,}/));
+  const lines = text
+    .split(/\n\n+/)[0]
+    .split("\n")
+    .map((line) => line.trim().split(/ {2,}/));
   const first = lines.findIndex(([cell]) => cell === "step");
-  const [head, last] = [lines[first] ?? [], lines.slice(first).filter((cells) => /^\d+$/.test(cells[0])).at(-1) ?? []];
+  const [head, last] = [
+    lines[first] ?? [],
+    lines
+      .slice(first)
+      .filter((cells) => /^\d+$/.test(cells[0]))
+      .at(-1) ?? [],
+  ];
   const at = Math.max(head.indexOf("dent depth"), head.indexOf("force"));
   return at < 0 ? "" : `step ${last[0]}: ${head[at]} ${last[at]}`;
 }

@@ -56,9 +56,16 @@ function change(changes) {
 
 /** The text without the comments of the first scenarios, which explain keys. */
 function withoutTemplateComments(text) {
-  const comments = new Set(Object.values(templates()).flatMap((text) => text.split("\n")).filter((line) => line.startsWith("#")));
+  const comments = new Set(
+    Object.values(templates())
+      .flatMap((text) => text.split("\n"))
+      .filter((line) => line.startsWith("#")),
+  );
   const lines = text.split("\n").filter((line) => !comments.has(line));
-  return lines.join("\n").replace(/\n{3,}/g, "\n\n").replace(/^\n+/, "");
+  return lines
+    .join("\n")
+    .replace(/\n{3,}/g, "\n\n")
+    .replace(/^\n+/, "");
 }
 
 /** Puts the scenario into the address. The text with all comments, and long measurements, stay in the history of this browser. */
@@ -82,7 +89,7 @@ function restore() {
   const { text: whole, data: measured } = history.state ?? {};
   const isOfThisBrowser = whole !== undefined && withoutTemplateComments(whole) === linked;
   data = link.get("data") ?? (isOfThisBrowser ? measured : undefined);
-  setScenario(isOfThisBrowser ? whole : linked ?? templates().impact);
+  setScenario(isOfThisBrowser ? whole : (linked ?? templates().impact));
 }
 
 function done(reply) {
@@ -101,7 +108,11 @@ function done(reply) {
 function cureOf(key) {
   const field = fields().find((field) => field.path === key);
   if (!field?.example) return null;
-  const button = element("button", { type: "button" }, `Add ${field.title[0].toLowerCase()}${field.title.slice(1)} = ${field.example}`);
+  const button = element(
+    "button",
+    { type: "button" },
+    `Add ${field.title[0].toLowerCase()}${field.title.slice(1)} = ${field.example}`,
+  );
   button.addEventListener("click", () => {
     change([[key, field.example]]);
     form.focus(key);
@@ -118,7 +129,9 @@ async function copyLink() {
   address();
   try {
     await navigator.clipboard.writeText(location.href);
-    byId("told").textContent = isTooLong() ? "copied without the measurements, which are too long for a link: send their file too" : "copied";
+    byId("told").textContent = isTooLong()
+      ? "copied without the measurements, which are too long for a link: send their file too"
+      : "copied";
   } catch {
     // a page that is not sent over https has no clipboard, and a user may refuse it
     const missing = isTooLong() ? " The measurements are too long for a link: send their file too." : "";

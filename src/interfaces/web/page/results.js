@@ -31,7 +31,11 @@ export function showResults({ kind, warnings, text, contradiction, files, curve 
   // this is what a screen reader says of a change, and what stays in view
   const lines = text.trim().split("\n");
   const line = lines.find((line) => /^(last )?restitution/.test(line));
-  const short = line ? shortened(line) : kind === "indentation" ? lastStep(text.trim()) : lines[0].split(/ {2,}/).join(" ");
+  const short = line
+    ? shortened(line)
+    : kind === "indentation"
+      ? lastStep(text.trim())
+      : lines[0].split(/ {2,}/).join(" ");
   byId("state").textContent = `${kind.replace("_", " ")} ${short}`.trim();
   byId("state").classList.remove("refused");
 }

@@ -13,9 +13,16 @@ export function makeRow(first, materials, changed) {
   const label = element("label", { htmlFor: id, textContent: short(first) });
   input.setAttribute("aria-label", first.title);
   const unit = element("span", { id: `unit-${id}`, className: "unit" });
-  const about = element("p", { id: `about-${id}`, className: "about", textContent: first.about });
+  const about = element("p", { id: `about-${id}`, className: "about", textContent: first.description });
   const error = element("p", { id: `error-${id}`, className: "error", hidden: true });
-  const line = element("div", { className: "row" }, label, element("div", { className: "field" }, input, unit), about, error);
+  const line = element(
+    "div",
+    { className: "row" },
+    label,
+    element("div", { className: "field" }, input, unit),
+    about,
+    error,
+  );
   let names = null;
   // what the scenario is known to give
   let known = "";
@@ -37,13 +44,13 @@ export function makeRow(first, materials, changed) {
   // a number that is written alone is in SI, which is said beside it
   function showUnit() {
     const value = input.value.trim();
-    unit.textContent = value && Number.isFinite(Number(value.replaceAll("_", ""))) ? field.unit ?? "" : "";
+    unit.textContent = value && Number.isFinite(Number(value.replaceAll("_", ""))) ? (field.unit ?? "") : "";
   }
 
   // the key that the row is about, of two that stand in place of each other
   function show(other) {
     field = other;
-    about.textContent = field.about;
+    about.textContent = field.description;
     if (names) names.value = field.path;
     input.setAttribute("aria-label", field.title);
   }
@@ -58,7 +65,10 @@ export function makeRow(first, materials, changed) {
         const before = field;
         show(fields.find((one) => one.path === names.value));
         const value = before.example === field.example ? input.value : field.example;
-        changed([[field.path, value], [before.path, ""]]);
+        changed([
+          [field.path, value],
+          [before.path, ""],
+        ]);
       });
     }
     names.append(new Option(short(other), other.path));
@@ -75,10 +85,11 @@ export function makeRow(first, materials, changed) {
     if (givenValues[field.path] === undefined) show(here(givenValues) ?? here(material?.values) ?? field);
     known = givenValues[field.path] ?? "";
     if (!isTyping && input.value !== known) {
-      if (field.words && known && ![...input.options].some((one) => one.value === known)) input.append(new Option(known));
+      if (field.words && known && ![...input.options].some((one) => one.value === known))
+        input.append(new Option(known));
       input.value = known;
     }
-    if (key === "material") about.textContent = material ? material.title : field.about;
+    if (key === "material") about.textContent = material ? material.title : field.description;
     if (!field.words) input.placeholder = material?.values[field.path] ?? (field.default || `such as ${field.example}`);
     showUnit();
   }

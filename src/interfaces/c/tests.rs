@@ -1,0 +1,134 @@
+//! The functions for C with every argument that is no number, and with NULL. Miri runs these tests in .ci/release-checks, and
+//! sees every access to memory.
+
+use std::ptr::{null, null_mut};
+
+use super::*;
+
+const STEEL: &CStr = c"sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850 }
+half_space = { youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, yield_strength = 3.45e8 }
+";
+const WRONG: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+const DEPTH: f64 = 2e-5;
+
+/// A contact, and the memory and the force of a loading to [`DEPTH`].
+fn loaded() -> (*mut plm_contact, [f64; 3], f64) {
+    let mut memory = [0.0; 3];
+    // SAFETY: the text ends with a zero, and the memory has three doubles
+    unsafe {
+        let contact = plm_contact_from_toml(STEEL.as_ptr(), null_mut(), 0);
+        let force = plm_contact_force(contact, DEPTH, memory.as_mut_ptr());
+        assert!(force > 0.0 && memory[0] == DEPTH && memory[1] == force && memory[2] > 0.0);
+        (contact, memory, force)
+    }
+}
+
+#[test]
+fn an_argument_that_is_no_number_gives_none() {
+    let (contact, memory, force) = loaded();
+    for wrong in WRONG {
+        // SAFETY: the contact is freed below; all arrays have three doubles
+        unsafe {
+            let mut kept = memory;
+            assert!(plm_contact_force(contact, wrong, kept.as_mut_ptr()).is_nan() && kept == memory);
+            assert!(plm_contact_stiffness(contact, wrong, kept.as_ptr()).is_nan());
+            for (depth, force) in [(wrong, force), (DEPTH, wrong)] {
+                let mut plastic = 1.0;
+                assert!(plm_contact_energy(contact, depth, force, kept.as_ptr(), &raw mut plastic).is_nan(), "{wrong}");
+                assert!(plastic.is_nan());
+            }
+            let mut restitution = 1.0;
+            assert!(plm_contact_time(contact, wrong, &raw mut restitution).is_nan() && restitution.is_nan());
+            assert!(plm_contact_restitution_with_waves(contact, wrong).is_nan());
+            for part in 0..3 {
+                let mut lost = memory;
+                lost[part] = wrong;
+                assert!(plm_contact_force(contact, DEPTH, lost.as_mut_ptr()).is_nan());
+                assert!(plm_contact_stiffness(contact, DEPTH, lost.as_ptr()).is_nan());
+                assert!(plm_contact_energy(contact, DEPTH, force, lost.as_ptr(), null_mut()).is_nan());
+                let (mut slip, mut history) = ([1e-8, 0.0, 0.0], [0.0; 3]);
+                let mut friction = |slip: &[f64; 3], memory: &[f64; 3]| {
+                    plm_contact_friction(
+                        contact,
+                        0.2,
+                        DEPTH,
+                        DEPTH,
+                        force,
+                        memory.as_ptr(),
+                        slip.as_ptr(),
+                        history.as_mut_ptr(),
+                    )
+                };
+                assert_eq!(friction(&slip, &lost), FAILURE);
+                slip[part] = wrong;
+                assert_eq!(friction(&slip, &memory), FAILURE);
+                assert_eq!(history, [0.0; 3]);
+            }
+            let numbers = [(wrong, DEPTH, DEPTH, force), (0.2, wrong, DEPTH, force), (0.2, DEPTH, wrong, force)];
+            for (coefficient, before, depth, force) in [numbers.as_slice(), &[(0.2, DEPTH, DEPTH, wrong)]].concat() {
+                let (slip, mut history) = ([1e-8, 0.0, 0.0], [0.0; 3]);
+                let result = plm_contact_friction(
+                    contact,
+                    coefficient,
+                    before,
+                    depth,
+                    force,
+                    memory.as_ptr(),
+                    slip.as_ptr(),
+                    history.as_mut_ptr(),
+                );
+                assert_eq!((result, history), (FAILURE, [0.0; 3]));
+            }
+            let (mut memories, mut forces) = ([0.0; 6], [0.0; 2]);
+            let result =
+                plm_contact_forces(contact, 2, [wrong, DEPTH].as_ptr(), memories.as_mut_ptr(), forces.as_mut_ptr());
+            assert_eq!(result, FAILURE);
+            assert!(forces[0].is_nan() && forces[1] == force && memories[..3] == [0.0; 3] && memories[3..] == memory);
+        }
+    }
+    // SAFETY: not used afterwards
+    unsafe { plm_contact_free(contact) };
+}
+
+#[test]
+fn no_contact_gives_no_number() {
+    let (mut memory, mut history) = ([0.0; 3], [0.0; 3]);
+    // SAFETY: every function takes NULL
+    unsafe {
+        assert!(plm_contact_force(null(), DEPTH, memory.as_mut_ptr()).is_nan());
+        assert!(plm_contact_stiffness(null(), DEPTH, memory.as_ptr()).is_nan());
+        assert!(plm_contact_energy(null(), DEPTH, 1.0, memory.as_ptr(), null_mut()).is_nan());
+        assert_eq!(plm_contact_forces(null(), 1, null(), null_mut(), null_mut()), FAILURE);
+        let slip = [0.0; 3];
+        let friction =
+            plm_contact_friction(null(), 0.2, 0.0, DEPTH, 1.0, memory.as_ptr(), slip.as_ptr(), history.as_mut_ptr());
+        assert_eq!(friction, FAILURE);
+        let numbers = [
+            plm_contact_radius(null()),
+            plm_contact_effective_radius(null()),
+            plm_contact_mass(null()),
+            plm_contact_yield_speed(null()),
+            plm_contact_validated_indentation(null()),
+            plm_contact_time(null(), 1.0, null_mut()),
+            plm_contact_restitution_with_waves(null(), 1.0),
+        ];
+        assert!(numbers.into_iter().all(f64::is_nan));
+        assert_eq!(plm_contact_fingerprint(null()), 0);
+        plm_contact_free(null_mut());
+    }
+}
+
+#[test]
+fn an_error_fits_into_its_room() {
+    for length in [0, 1, 2, 9, 400] {
+        let mut error = vec![c_char::MAX; 400];
+        // SAFETY: the texts end with a zero, and the error has 400 bytes
+        unsafe {
+            assert!(plm_contact_from_toml(c"sphere = { radius = -1 }".as_ptr(), error.as_mut_ptr(), length).is_null());
+            assert!(plm_contact_from_toml(c"\xff".as_ptr(), error.as_mut_ptr(), length).is_null());
+        }
+        let end = error[..length].iter().position(|byte| *byte == 0);
+        assert_eq!(end.is_some(), length > 0);
+        assert!(error[length..].iter().all(|byte| *byte == c_char::MAX));
+    }
+}
