@@ -206,7 +206,7 @@
 //! All other modules serve the command and the tests. They are public, not described here, and may change at any time; `src/README.md`
 //! shows them.
 
-// see clippy.toml
+// see .clippy.toml
 #![warn(clippy::disallowed_methods)]
 
 #[doc(hidden)]

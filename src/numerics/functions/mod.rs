@@ -2,7 +2,7 @@
 //!
 //! The methods of `f64` ask the C library of the machine, which picks other variants on processors without fused
 //! multiply-add: the last digit differs. These come from the crate libm and from the modules here; all of them are made of
-//! additions, multiplications, divisions and square roots, which IEEE 754 fixes to the last bit. `clippy.toml` refuses the
+//! additions, multiplications, divisions and square roots, which IEEE 754 fixes to the last bit. `.clippy.toml` refuses the
 //! methods of `f64` everywhere in the library.
 
 mod pow;
