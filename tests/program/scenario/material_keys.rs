@@ -1,7 +1,8 @@
 //! `material` in a scenario: the values that a body takes from it, the keys that replace them, and tables over
 //! materials.
 
-use plm_impact::scenario::input::{Body, Input};
+use plm_impact::scenario::input::Input;
+use plm_impact::scenario::input::body_material::Body;
 
 use crate::common::prelude::*;
 
