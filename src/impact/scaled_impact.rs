@@ -6,7 +6,7 @@ use super::problem::contact::Contact;
 use super::problem::error::ImpactError;
 use super::problem::forces::ScaledForces;
 use super::problem::plate::ScaledPlate;
-use super::problem::scales::{FORCE_FACTOR, Scales};
+use super::problem::scales::{FORCE_FACTOR, Scales, kinetic_energy};
 use super::solve::undamped_contact_time;
 use crate::contact::body::finite_positive;
 use crate::contact::law::{Law, LoadingHistory, Surface};
@@ -52,7 +52,7 @@ impl Contact {
             let (q, least) = (speed / self.scales.speed, self.elastic_speed / self.scales.speed);
             let until = self.law.recovers_fully_until();
             // a law without an elastic regime yields at once
-            until == 0.0 || 0.4 * q * q + weight / self.scales.force * until > 0.4 * least * least
+            until == 0.0 || kinetic_energy(q) + weight / self.scales.force * until > kinetic_energy(least)
         };
         let (scales, ground, q) = if dent.is_some() || speed > self.elastic_speed || weight > 0.0 && with_weight() {
             let q = speed / self.scales.speed;

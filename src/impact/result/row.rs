@@ -7,6 +7,7 @@ use crate::impact::problem::contact::{Contact, StrainRateResult};
 use crate::impact::problem::error::ImpactError;
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::plate::ScaledPlate;
+use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy};
 use crate::impact::problem::waves;
 use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::closed_form;
@@ -85,8 +86,8 @@ impl PlateResult {
                 unloading.force_at_elastic_approach(end_indentation - ground.deepest_state(&unloading.peak).residual())
             }
         };
-        let moved = y * (weight * outcome.contact_time + 0.8 * (q - u - y * f));
-        let energy = outcome.loss - 0.8 * y * f * u - 0.4 * y * y * f * f + weight * moved;
+        let moved = y * (weight * outcome.contact_time + (q - u - y * f) / FORCE_FACTOR);
+        let energy = outcome.loss - y * f * u / FORCE_FACTOR - kinetic_energy(y * f) + weight * moved;
         Some(Self {
             zener_number,
             wave_transits,
