@@ -12,7 +12,7 @@ use super::problem::contact::Contact;
 use super::problem::forces::Damping;
 use super::result::impact::Impact;
 use super::result::warning::{Warning, WarningKind};
-use super::solve::{Method, Solver};
+use super::solve::Solver;
 use crate::contact::law::{ContactState, ExponentClamp, Surface, Unloading};
 use crate::contact::strength::strain_rate_hardening::RateForm;
 use crate::numerics::root::bisect;
@@ -21,7 +21,7 @@ use bodies::{half_space_warnings, sphere_warnings};
 pub use restitution::Bias;
 pub(crate) use restitution::dent_warning;
 use restitution::restitution_warnings;
-use run::{energy_gain_warning, rebound_warning, run_warning};
+use run::{energy_gain_warning, run_warning};
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
 pub(crate) fn peak_warnings(ground: Surface, peak: &ContactState) -> impl Iterator<Item = Warning> + use<> {
@@ -98,8 +98,7 @@ pub(super) fn impact_warnings(
     warnings.extend(strain_rate_warnings(contact));
     warnings.extend(wave_warning(impact));
     warnings.extend(damping_warning(contact, impact));
-    let is_verlet = solver.method == Method::Verlet;
-    warnings.extend(if is_verlet { energy_gain_warning(contact, impact) } else { rebound_warning(contact, impact) });
+    warnings.extend(energy_gain_warning(contact, impact, solver.method));
     warnings.extend(run_warning(impact, solver));
     warnings.sort_by_key(|warning| !warning.is_fatal());
     warnings
