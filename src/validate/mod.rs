@@ -12,7 +12,7 @@ mod hardening;
 pub mod law_error;
 pub mod laws;
 mod leeb;
-mod oblique;
+pub mod oblique;
 mod pictures;
 mod quasi_static;
 mod rate;

@@ -8,13 +8,12 @@ use super::dynamic;
 use super::figure_10::figure_10;
 use super::hardening::{hardening_law, load_cycle_at_work};
 use super::leeb::restitution as of_device;
-use super::oblique::{FRICTION, alumina_on_glass, rebound};
+use super::oblique::{FRICTION, alumina_on_glass, rebound, single_spring_ratio};
 use super::quasi_static::restitution;
 use super::yielding::yielding_cycles;
 use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::files::{OutputFile, Progress};
-use crate::impact::oblique::normal_motion::NormalMotion;
 use crate::impact::{ImpactError, TraceRow};
 use crate::numerics::functions::{exp, ln, sin_cos};
 use crate::reference::{HARDENING, LEEB_DEVICES, LEEB_STEELS, REBOUNDS, ReferenceRow};
@@ -252,7 +251,6 @@ fn oblique() -> Result<Picture, Error> {
     let measured = measured.map(|row| (row.number("angle_deg"), row.number("value"))).collect();
     let measured = Series::points("measured, alumina on glass", measured);
     let contact = alumina_on_glass()?;
-    let motion = NormalMotion::elastic_motion().map_err(ImpactError::from)?;
     let (chi, j) = (contact.chi(), contact.slip_factor());
     let mut curves = [Vec::new(), Vec::new(), Vec::new()];
     // up to 65 degrees
@@ -264,7 +262,11 @@ fn oblique() -> Result<Picture, Error> {
         // s_0 = v_t, so that e_t = 1 + (s_1/s_0 - 1)/j
         let psi = 4.0 * contact.shear_ratio() * sin / cos / FRICTION;
         let sliding = 1.0 - 4.0 * chi / psi;
-        let ratios = [-after.contact_point_restitution, motion.single_spring_ratio(psi, chi), sliding.max(0.0)];
+        let ratios = [
+            -after.contact_point_restitution,
+            single_spring_ratio(psi, chi).map_err(ImpactError::from)?,
+            sliding.max(0.0),
+        ];
         for (curve, ratio) in curves.iter_mut().zip(ratios) {
             curve.push((degrees, 1.0 + (ratio - 1.0) / j));
         }

@@ -88,6 +88,17 @@ impl<'a> NormalMotion<'a> {
         ELASTIC.as_ref().map_err(Clone::clone)
     }
 
+    /// The times at which compression and the contact end.
+    pub(crate) fn leg_ends(&self) -> [f64; 2] {
+        self.durations
+    }
+
+    /// α and the contact force at a time.
+    pub(crate) fn radius_and_force(&self, time: f64) -> [f64; 2] {
+        let state = self.state_at(time);
+        [state.square.sqrt(), state.force()]
+    }
+
     /// Rim and stops at a time. The friction is limited by the whole contact force, damping included.
     ///
     /// ```text
