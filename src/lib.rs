@@ -53,11 +53,11 @@
 //! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //!
 //! let impact = contact.impact(3.0, &Solver::default(), None)?;
-//! assert!((impact.restitution - 0.490_578_549).abs() < 1e-8);
+//! assert!((impact.row.restitution - 0.490_578_549).abs() < 1e-8);
 //!
 //! // without stepping
 //! let exact = contact.closed_form(3.0)?;
-//! assert!((impact.contact_time / exact.contact_time - 1.0).abs() < 1e-9);
+//! assert!((impact.row.contact_time / exact.row.contact_time - 1.0).abs() < 1e-9);
 //! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!
@@ -88,7 +88,7 @@
 //! let impact = contact.impact(3.0, &Solver::default(), Some(200))?;
 //! assert!(impact.trace.len() >= 200);
 //! let largest = impact.trace.iter().map(|row| row.force).fold(0.0, f64::max);
-//! assert_eq!(largest, impact.peak_force);
+//! assert_eq!(largest, impact.row.peak_force);
 //! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!

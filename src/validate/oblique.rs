@@ -37,7 +37,7 @@ pub(super) fn alumina_on_glass() -> Result<Contact, Error> {
 /// The rebound at an angle from the normal \[rad\], without spin before.
 pub(super) fn rebound(contact: &Contact, angle: f64, friction: f64) -> Result<Option<Rebound>, Error> {
     let approach = Approach { speed: SPEED, incidence: Some(Incidence { angle, spin: 0.0, friction }) };
-    Ok(contact.impact(approach, &Solver::default(), None)?.rebound)
+    Ok(contact.impact(approach, &Solver::default(), None)?.row.rebound)
 }
 
 /// The coefficients of the law have no part in impacts that stay elastic.

@@ -131,8 +131,8 @@ fn impact(case: &dynamic::DynamicCase) -> Picture {
     let mut notes = vec!["points: finite elements".to_owned(), "Restitution".to_owned()];
     notes.push(format!("  finite elements: {:.4}", case.reference.number("restitution")));
     let of_law = case.impacts.iter().zip(EXPONENTS);
-    notes.extend(of_law.map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution)));
-    let with_waves = case.impacts[1].restitution_with_waves();
+    notes.extend(of_law.map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.row.restitution)));
+    let with_waves = case.impacts[1].row.restitution_with_waves();
     notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
     let axes = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
     let (name, slug) = (case.reference.cell_text("case"), case.reference.cell_text("case").to_lowercase());

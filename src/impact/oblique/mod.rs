@@ -374,8 +374,8 @@ impl<'a> ObliqueImpact<'a> {
             () => {
                 let impulse = (self.speeds[0] - speed) / scales.speed / FORCE_FACTOR
                     + self.case.forces.weight * time / scales.time();
-                let [share, of_force] = slip.slip_and_force(time / scales.time(), force / scales.force, impulse);
-                (share * self.slip, direction * mu * scales.force * of_force)
+                let [share, of_force] = slip.slip_and_force(time / scales.time(), force / scales.units.force, impulse);
+                (share * self.slip, direction * mu * scales.units.force * of_force)
             }
         };
         let [tangential_speed, spin] = self.tangential_speed_and_spin(slip_speed);

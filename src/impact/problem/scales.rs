@@ -4,8 +4,6 @@
 //! every sphere. L, Φ, V are the yield indentation, force and speed. An impact that stays elastic uses its Hertz peak and its speed
 //! instead, so that the slowest impact is no closer to underflow than the fastest.
 
-use std::ops::Deref;
-
 use crate::contact::body::{OutOfFloatRange, finite_positive};
 use crate::contact::pair::Pair;
 use crate::numerics::functions::pow;
@@ -56,21 +54,12 @@ impl Units {
     }
 }
 
-/// The units of length, force and speed of one impact. It derefs to the units of the contact, as in `scales.length`.
+/// The units of length, force and speed of one impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scales {
     pub units: Units,
     /// V \[m/s\].
     pub speed: f64,
-}
-
-impl Deref for Scales {
-    type Target = Units;
-
-    #[inline]
-    fn deref(&self) -> &Units {
-        &self.units
-    }
 }
 
 impl Scales {
@@ -106,6 +95,6 @@ impl Scales {
 
     /// L/V \[s\].
     pub fn time(&self) -> f64 {
-        self.length / self.speed
+        self.units.length / self.speed
     }
 }

@@ -135,7 +135,7 @@ impl Contact {
             let q = speed / scales.speed;
             let ground = Surface::from(&contact.law);
             let (last, distance) = ground.turning_point(kinetic_energy(q), 0.0);
-            (ground.piece(last).start + distance) * scales.length
+            (ground.piece(last).start + distance) * scales.units.length
         };
         if factor == 1.0 {
             return Ok(deepest(self, &self.scales));

@@ -57,8 +57,8 @@ impl Waves {
         let fraction = 2.0
             * FORCE_FACTOR
             * integral
-            * (self.coefficient * (scales.force / scales.length))
-            * (scales.speed / scales.length)
+            * (self.coefficient * (scales.units.force / scales.units.length))
+            * (scales.speed / scales.units.length)
             * ratio
             * ratio;
         if fraction.is_finite() {

@@ -103,8 +103,8 @@ impl<'a> EnergyBalance<'a> {
             () if elastic_approach < x => Branch::Plastic,
             () => Branch::Elastic,
         };
-        let indentation = x * scales.length;
-        let sphere_indentation = self.contact.pair().sphere_indentation(x, elastic_approach) * scales.length;
+        let indentation = x * scales.units.length;
+        let sphere_indentation = self.contact.pair().sphere_indentation(x, elastic_approach) * scales.units.length;
         TraceRow {
             time: time * scales.time(),
             indentation,
@@ -112,8 +112,8 @@ impl<'a> EnergyBalance<'a> {
             half_space_indentation: indentation - sphere_indentation,
             speed: speed * scales.speed,
             sphere_speed: self.case.plate.map(|plate| (speed + plate.mobility * force) * scales.speed),
-            force: total_force * scales.force,
-            elastic_force: self.contact.forces().damping.map(|_| force * scales.force),
+            force: total_force * scales.units.force,
+            elastic_force: self.contact.forces().damping.map(|_| force * scales.units.force),
             branch,
             friction: None,
             event,

@@ -30,7 +30,7 @@ impl Spot {
 impl Contact {
     /// Depth of the dent of a spot \[m\], at which the next contact begins.
     pub fn dent_depth(&self, spot: &Spot) -> f64 {
-        spot.memory().map_or(0.0, |memory| memory.residual() * self.scales.length)
+        spot.memory().map_or(0.0, |memory| memory.residual() * self.scales.units.length)
     }
 
     /// Like [`Contact::impact`], on a spot, which then remembers the impact.
@@ -66,7 +66,8 @@ impl Contact {
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        let (length, force) = (rated.scales.length / self.scales.length, rated.scales.force / self.scales.force);
+        let (length, force) =
+            (rated.scales.units.length / self.scales.units.length, rated.scales.units.force / self.scales.units.force);
         let met = spot
             .dent
             .as_ref()

@@ -68,13 +68,14 @@ impl Contact {
         let Self { scales, law, .. } = self;
         let reaches = |x: f64| {
             let Some(peak) = law.force_and_memory(x, None).1 else { return true };
-            let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.validity.max_radius_ratio * radius;
+            let is_wide =
+                scales.units.contact_radius * law.contact_radius(&peak) > law.validity.max_radius_ratio * radius;
             let is_before = law.exceeded_fit_range(&peak).is_some_and(|(from, _)| x < from);
             let is_harmless = |warning: Warning| is_before && warning.kind == WarningKind::OutsideStated;
             !is_wide && peak_warnings(law.into(), &peak).all(is_harmless)
         };
-        let far = radius / scales.length;
-        if reaches(far) { f64::INFINITY } else { bisect(0.0, far, reaches).0 * scales.length }
+        let far = radius / scales.units.length;
+        if reaches(far) { f64::INFINITY } else { bisect(0.0, far, reaches).0 * scales.units.length }
     }
 }
 
@@ -88,7 +89,7 @@ pub(super) fn impact_warnings(
 ) -> Vec<Warning> {
     let peak = &unloading.peak;
     let sphere = contact.sphere();
-    let mut warnings = restitution_warnings(contact, impact.speed, impact.peak_mean_pressure, impact);
+    let mut warnings = restitution_warnings(contact, impact.speed, impact.peak_mean_pressure, &impact.row);
     warnings.extend(peak_warnings(ground, peak));
     warnings.extend(exponent_warning(ground, unloading));
     let density = (!contact.has_attached_mass()).then_some(sphere.density);
@@ -106,7 +107,7 @@ pub(super) fn impact_warnings(
 
 /// The warning for radiated waves that the first order does not hold for.
 fn wave_warning(impact: &Impact) -> Option<Warning> {
-    let (loss, recovered) = (impact.wave_loss_fraction?, impact.recovered_fraction());
+    let (loss, recovered) = (impact.row.wave_loss_fraction?, impact.row.recovered_fraction());
     Warning::new_if(loss > 0.2 * recovered, WarningKind::StrongWaves, loss / recovered, || {
         format!(
             "restitution_with_waves is only a rough value. The wave loss ({} of the kinetic energy) is not small compared with the recovered energy ({}).",
@@ -184,8 +185,8 @@ pub(super) fn oblique_warnings(
     approach: Approach,
 ) -> impl Iterator<Item = Warning> + use<> {
     let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle.abs());
-    let ratio = impact.radius_ratio;
-    let is_ploughing = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
+    let ratio = impact.row.radius_ratio;
+    let is_ploughing = impact.row.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
     let ploughing = Warning::new_if(is_ploughing, WarningKind::Ploughing, ratio, || {
         format!(
             "Tangential speed and spin are estimates. At contact radius / sphere radius = {ratio:.3} and {:.0} deg from the normal the sphere ploughs; the ploughing force (about {:.0} % of the contact force) is not modelled.",
@@ -194,7 +195,7 @@ pub(super) fn oblique_warnings(
         )
     });
     let mismatch = contact.dundurs_beta();
-    let slips_little = impact.rebound.is_some_and(|rebound| rebound.psi.abs() < 1.0);
+    let slips_little = impact.row.rebound.is_some_and(|rebound| rebound.psi.abs() < 1.0);
     let is_coupled = mismatch.abs() > MAX_DUNDURS_BETA && slips_little;
     let coupled = Warning::new_if(is_coupled, WarningKind::DundursCoupling, mismatch.abs(), || {
         format!(

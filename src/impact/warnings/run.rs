@@ -16,10 +16,10 @@ pub(super) fn energy_gain_warning(contact: &Contact, impact: &Impact, method: Me
     let (known, balance_error) = (impact.accuracy.restitution_error, impact.energy.balance_error);
     let gravity = contact.forces().gravity.unwrap_or(0.0);
     // the error of the balance is relative to all the energy put in, e to the kinetic energy of the impact
-    let sunk = contact.mass() * gravity * impact.peak_indentation;
+    let sunk = contact.mass() * gravity * impact.row.peak_indentation;
     let error = if known.is_nan() { balance_error * (1.0 + sunk / impact.energy.kinetic_in) } else { known };
-    let plate = impact.plate_loss_fraction().filter(|share| *share > 1.0 && method == Method::Verlet);
-    let (name, share) = plate.map_or(("e is too high: restitution", impact.restitution), |share| {
+    let plate = impact.row.plate_loss_fraction().filter(|share| *share > 1.0 && method == Method::Verlet);
+    let (name, share) = plate.map_or(("e is too high: restitution", impact.row.restitution), |share| {
         ("The plate loss is too high: its fraction", share)
     });
     let is_by_weight = gravity > 0.0 && impact.energy.plastic.is_none_or(|plastic| plastic >= 0.0);

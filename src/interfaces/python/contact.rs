@@ -267,7 +267,7 @@ impl PyImpact {
             Ok((holder.compute_impact(own.as_ref(), speed, samples)?, own))
         };
         let (result, own) = py.detach(computed).map_err(exception)?;
-        let notes = strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), result.has_dent(), &[]);
+        let notes = strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), result.row.has_dent(), &[]);
         Ok(Self {
             contact,
             result,
@@ -283,7 +283,7 @@ impl PyImpact {
     fn single_impact(&self) -> SingleImpact<'_> {
         let contact = self.contact.get();
         let own = self.own.as_ref().unwrap_or(&contact.inner);
-        let interval = || restitution_interval(&contact.input, own, self.result.speed, &self.result.essentials);
+        let interval = || restitution_interval(&contact.input, own, self.result.speed, &self.result.row);
         let interval = self.interval.get_or_init(interval).as_ref();
         let drop_height = contact.input.drop_height();
         SingleImpact { contact: own, impact: &self.result, interval, notes: &self.notes, drop_height }

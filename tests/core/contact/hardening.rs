@@ -179,9 +179,9 @@ fn the_force_rises_along_any_curve() {
         for speed in [0.02, 0.1, 1.0, 10.0] {
             let Ok(exact) = contact.closed_form(speed) else { continue };
             compared += 1;
-            assert!(exact.restitution > 0.0 && exact.restitution <= 1.0);
+            assert!(exact.row.restitution > 0.0 && exact.row.restitution <= 1.0);
             let stepped = contact.impact(speed, &Solver::default(), None).unwrap();
-            assert!(relative_error(stepped.restitution, exact.restitution) < 1e-8, "{stress:e} {speed}");
+            assert!(relative_error(stepped.row.restitution, exact.row.restitution) < 1e-8, "{stress:e} {speed}");
         }
     }
     // the others, just beyond first yield, would give back more than was spent

@@ -184,7 +184,7 @@ impl Run {
 
     /// Kinetic energy at first touch, and the work of the weight down to the peak.
     pub fn input_energy(&self) -> f64 {
-        self.impact.kinetic_in + self.weight() * (self.impact.peak_indentation - self.touch())
+        self.impact.row.kinetic_in + self.weight() * (self.impact.row.peak_indentation - self.touch())
     }
 
     /// The error that a method may leave: ten tolerances, and rounding. The methods of `ode_solvers` step in time, in which a
@@ -208,7 +208,7 @@ impl Run {
     pub fn turns_at_subdivision(&self) -> bool {
         let own = self.contact_at_own_rate();
         let (scales, law, _) = own.scaling(self.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
-        let peak = self.impact.peak_indentation / scales.length;
+        let peak = self.impact.row.peak_indentation / scales.units.length;
         if own.yield_speed().is_some_and(|yields| relative_error(self.speed(), yields) <= 10.0 * self.error_allowance())
         {
             return true;

@@ -19,7 +19,7 @@ fn of_one(restitution: f64, speed: &str) -> (f64, Value) {
 fn restitution(strength: f64, speed: &str) -> f64 {
     let settings = [format!("half_space.yield_strength={strength}"), format!("impact.speed={speed}")];
     let scene = Scenario::from_text("steel", STEEL, &settings).unwrap().resolve().unwrap();
-    scene.contact().unwrap().closed_form(scene.speed()).unwrap().restitution
+    scene.contact().unwrap().closed_form(scene.speed()).unwrap().row.restitution
 }
 
 #[test]
