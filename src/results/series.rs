@@ -162,11 +162,11 @@ pub fn impact_columns<'a>() -> Vec<ResultSpec<(usize, &'a SeriesImpact)>> {
         /// Place of the impact along the surface, from the first.
         "position_m" in Length as "place" if OBLIQUE: row.1.tangential_speed().map(|_| row.1.position);
         /// Speed at first touch, normal to the half-space.
-        "impact_speed_m_per_s" in Speed as "speed": row.1.speed();
+        "impact_speed_m_per_s" in Speed as "speed": row.1.approach.normal;
         /// Speed of the sphere along the half-space at first touch.
         "tangential_speed_m_per_s" in Speed as "along" if OBLIQUE: row.1.tangential_speed();
         /// Spin of the sphere at first touch; positive for rolling forward.
-        "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.incidence.map(|incidence| incidence.spin);
+        "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.friction.map(|_| row.1.approach.spin);
         /// Rebound speed over impact speed by the law; 0 if captured.
         "restitution" as "e": row.1.impact.row.restitution;
         /// Restitution after the waves have taken their energy.

@@ -7,7 +7,7 @@ use crate::contact::law::{Plm, PlmCoefficients};
 use crate::error::Error;
 use crate::impact::oblique::normal_motion::NormalMotion;
 use crate::impact::problem::scales::FORCE_FACTOR;
-use crate::impact::{Approach, Contact, Incidence, Rebound, Solver};
+use crate::impact::{Approach, Contact, Rebound, Solver};
 use crate::numerics::functions::atan;
 use crate::numerics::ode::IntegrationError;
 use crate::reference::{OBLIQUE_SLIPS, REBOUNDS};
@@ -36,7 +36,7 @@ pub(super) fn alumina_on_glass() -> Result<Contact, Error> {
 
 /// The rebound at an angle from the normal \[rad\], without spin before.
 pub(super) fn rebound(contact: &Contact, angle: f64, friction: f64) -> Result<Option<Rebound>, Error> {
-    let approach = Approach { speed: SPEED, incidence: Some(Incidence { angle, spin: 0.0, friction }) };
+    let approach = Approach::at_angle(SPEED, angle, 0.0, friction);
     Ok(contact.impact(approach, &Solver::default(), None)?.row.rebound)
 }
 

@@ -215,7 +215,7 @@ impl Impact {
         approach: Approach,
     ) -> Result<(), ImpactError> {
         let slip = inclined.slip_result(true)?;
-        self.speed = approach.speed;
+        self.speed = approach.speed();
         self.row.rebound = Some(inclined.rebound(&slip)?);
         self.oblique = Some(inclined.result(&slip));
         for row in &mut self.trace {

@@ -60,15 +60,9 @@ pub struct SeriesResult {
 
 impl SeriesImpact {
     pub(super) fn new(impact: Impact, approach: Approach, time: Option<f64>, position: f64, dent_before: f64) -> Self {
-        let [speed, _] = approach.components();
-        let rebound_speed = impact.row.measured_restitution() * speed;
+        let rebound_speed = impact.row.measured_restitution() * approach.normal;
         let dent_growth = impact.row.residual_indentation - dent_before;
         Self { time, position, approach, impact, rebound_speed, dent_growth, flight: None }
-    }
-
-    /// Impact speed v \[m/s\], normal to the half-space.
-    pub fn speed(&self) -> f64 {
-        self.approach.components()[0]
     }
 
     /// The energy of the rebound \[J\], without that of the waves.
@@ -79,7 +73,7 @@ impl SeriesImpact {
 
     /// Speed along the surface before the impact \[m/s\], if the sphere comes at an angle or spins.
     pub fn tangential_speed(&self) -> Option<f64> {
-        self.approach.incidence.map(|_| self.approach.components()[1])
+        self.approach.friction.map(|_| self.approach.along)
     }
 
     /// Speed along the surface after the impact \[m/s\].
@@ -92,11 +86,11 @@ impl SeriesImpact {
         0.5 * (self.tangential_speed().unwrap_or(0.0) + self.rebound_tangential_speed()) * self.impact.row.contact_time
     }
 
-    /// The speed and the incidence of the next impact, for this landing speed.
+    /// The approach of the next impact, for this landing speed.
     pub(super) fn next_approach(&self, landing_speed: f64) -> Approach {
-        self.impact.row.rebound.zip(self.approach.incidence).map_or(landing_speed.into(), |(rebound, incidence)| {
-            Approach::from_components([landing_speed, rebound.tangential_speed], rebound.spin, incidence.friction)
-        })
+        let turned = self.impact.row.rebound.map(|rebound| (rebound.tangential_speed, rebound.spin));
+        let (along, spin) = turned.unwrap_or((self.approach.along, self.approach.spin));
+        Approach { normal: landing_speed, along, spin, ..self.approach }
     }
 
     /// The energy that elastic waves carry away \[J\], if the half-space has a density.

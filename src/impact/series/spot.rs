@@ -45,8 +45,7 @@ impl Contact {
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
         let approach = approach.into();
-        let [speed, _] = approach.components();
-        if let Some(rated) = self.contact_at_speed(speed)? {
+        if let Some(rated) = self.contact_at_speed(approach.normal)? {
             return self.rate_dependent_impact_on(spot, &rated, approach, solver, samples);
         }
         let (impact, ground, unloading) = self.impact_on_surface(spot.dent.as_ref(), approach, solver, samples)?;

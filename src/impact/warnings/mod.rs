@@ -7,7 +7,7 @@ mod run;
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use super::oblique::{Approach, Incidence};
+use super::oblique::Approach;
 use super::problem::contact::Contact;
 use super::problem::forces::Damping;
 use super::result::impact::Impact;
@@ -184,7 +184,7 @@ pub(super) fn oblique_warnings(
     impact: &Impact,
     approach: Approach,
 ) -> impl Iterator<Item = Warning> + use<> {
-    let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle.abs());
+    let angle = approach.angle().abs();
     let ratio = impact.row.radius_ratio;
     let is_ploughing = impact.row.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
     let ploughing = Warning::new_if(is_ploughing, WarningKind::Ploughing, ratio, || {

@@ -81,13 +81,13 @@ pub fn impacts_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Chart {
         Panel::new(y.with_range(0.0, highest), vec![series])
     };
     let last = sequence.impacts.len() as f64;
-    let fastest = sequence.impacts.iter().map(|hit| hit.speed()).fold(0.0, f64::max);
+    let fastest = sequence.impacts.iter().map(|hit| hit.approach.normal).fold(0.0, f64::max);
     let largest = sequence.impacts.iter().map(|hit| hit.impact.row.measured_restitution()).fold(0.0, f64::max);
     let has_waves = sequence.impacts.iter().any(|hit| hit.impact.row.wave_loss_fraction.is_some());
     let name = if has_waves { "Restitution e with waves" } else { "Restitution e" };
     let top = if largest > 0.8 { 1.1 } else { 1.2 * largest };
     let mut panels = vec![
-        panel(Axis::linear("Speed", "m/s"), 1.15 * fastest, "Impact speed v", 4, |hit| hit.speed()),
+        panel(Axis::linear("Speed", "m/s"), 1.15 * fastest, "Impact speed v", 4, |hit| hit.approach.normal),
         panel(Axis::linear("Restitution", ""), top, name, 0, |hit| hit.impact.row.measured_restitution()),
     ];
     let deepest = sequence.deepest_dent();

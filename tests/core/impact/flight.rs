@@ -161,7 +161,7 @@ fn an_impact_and_a_series_fly_in_air() {
             assert_relative_eq!(hit.time.unwrap(), time, max_relative = 1e-13);
             let climb = if place == SpotMode::Fresh { hit.impact.row.residual_indentation } else { 0.0 };
             let fall = flying.rise_height(hit.rebound_speed) - climb;
-            assert_relative_eq!(pair[1].speed(), flying.landing_speed(fall), max_relative = 1e-13);
+            assert_relative_eq!(pair[1].approach.normal, flying.landing_speed(fall), max_relative = 1e-13);
             assert_relative_eq!(
                 flight.duration,
                 flying.rise_time(hit.rebound_speed) + flying.fall_time(fall),
@@ -170,7 +170,7 @@ fn an_impact_and_a_series_fly_in_air() {
             assert!(flight.height_at(flight.duration).abs() < 1e-9 + hit.impact.row.residual_indentation);
             let (free, top) = (flight.without_air().apex_height(), flight.apex_height());
             // for slow flights buoyancy is more than drag
-            assert!(free > top || hit.speed() < 1.0, "{free} {top} {flight:?}");
+            assert!(free > top || hit.approach.normal < 1.0, "{free} {top} {flight:?}");
             time += hit.impact.row.contact_time + flight.duration;
         }
     }

@@ -33,7 +33,7 @@ fn steel(law: &LawChoice) -> Contact {
 }
 
 fn approach(speed: f64, degrees: f64, friction: f64, spin: f64) -> Approach {
-    Approach { speed, incidence: Some(Incidence { angle: degrees.to_radians(), spin, friction }) }
+    Approach::at_angle(speed, degrees.to_radians(), spin, friction)
 }
 
 fn impact(contact: &Contact, approach: Approach, samples: Option<usize>) -> (Impact, Rebound) {
@@ -75,8 +75,7 @@ fn twelve_impacts_are_those_of_the_reference() {
 /// s_1/s_0 of an impact that is stepped as DEM codes do, with force and friction of the contact: velocity Verlet in `steps`
 /// steps a contact.
 fn stepped(contact: &Contact, approach: Approach, steps: f64) -> f64 {
-    let Incidence { spin, friction, .. } = approach.incidence.unwrap();
-    let [mut speed, tangential] = approach.components();
+    let Approach { normal: mut speed, along: tangential, spin, friction } = approach;
     let (mass, j, radius) = (contact.mass(), contact.slip_factor(), contact.sphere().radius);
     let slip = tangential - radius * spin;
     let dt = contact.closed_form(speed).unwrap().row.contact_time / steps;
@@ -89,7 +88,7 @@ fn stepped(contact: &Contact, approach: Approach, steps: f64) -> f64 {
         indentation += dt * speed;
         force = contact.force(indentation, &mut memory);
         let step = FrictionStep { previous_indentation: before, indentation, force, slip: [moving * dt, 0.0, 0.0] };
-        assert!(contact.friction(friction, &step, &memory, &mut history));
+        assert!(contact.friction(friction.unwrap(), &step, &memory, &mut history));
         speed -= 0.5 * dt * force / mass;
         moving += 0.5 * dt * j / mass * history[0];
     }
@@ -224,7 +223,7 @@ fn limits_without_friction_without_slip_and_without_anything() {
     assert!(free.is_sliding && free.impulse_ratio == 0.0 && free.loss_fraction == 0.0);
     // rolling: the contact point does not slip, and nothing happens
     let rolling = 3.9 * 20_f64.to_radians().sin() / 2.5e-3;
-    let exact = Approach { speed: 3.9, incidence: Some(Incidence { angle: 0.0, spin: 0.0, friction: 0.3 }) };
+    let exact = Approach::at_angle(3.9, 0.0, 0.0, 0.3);
     let (straight, nothing) = impact(&contact, exact, Some(10));
     assert_eq!((nothing.tangential_speed, nothing.spin, nothing.angle), (0.0, 0.0, 0.0));
     assert!(nothing.tangential_restitution.is_nan() && nothing.contact_point_restitution.is_nan());

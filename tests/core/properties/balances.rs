@@ -140,14 +140,14 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
     prop_assert!(
         run.impact.captured_result().is_none() || run.impact.row.rebound.is_none() && run.impact.oblique.is_none()
     );
-    let (Some(incidence), Some(rebound)) = (run.approach.incidence, run.impact.row.rebound) else { return Ok(false) };
-    let (impact, friction, mu) = (&run.impact, run.impact.oblique.unwrap(), incidence.friction);
+    let (Some(mu), Some(rebound)) = (run.approach.friction, run.impact.row.rebound) else { return Ok(false) };
+    let (impact, friction) = (&run.impact, run.impact.oblique.unwrap());
     let rounding = 1e-12 * friction.kinetic_in;
     assert_close("friction", friction.recovered + friction.loss, friction.kinetic_in, rounding)?;
     prop_assert!((-rounding..=friction.kinetic_in + rounding).contains(&friction.loss), "{:?}", friction);
     assert_close("angular momentum", friction.momentum_error, 0.0, 1e-13)?;
-    let (radius, [_, along]) = (run.contact.sphere().radius, run.approach.components());
-    let size = run.approach.speed + rebound.tangential_speed.abs();
+    let (radius, along) = (run.contact.sphere().radius, run.approach.along);
+    let size = run.approach.speed() + rebound.tangential_speed.abs();
     if let Some([moved, turned]) = rebound.target {
         let (mass, ball) = (run.contact.mass(), run.contact.target_mass().unwrap());
         let of_ball = run.contact.half_space().radius.unwrap();
@@ -155,7 +155,7 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
         assert_close("momentum", gained + ball * moved, 0.0, 1e-12 * (mass + ball) * size)?;
         // about the contact point: the centre of the sphere is above it, that of the ball below
         let spun =
-            0.4 * mass * radius * radius * (rebound.spin - incidence.spin) + 0.4 * ball * of_ball * of_ball * turned;
+            0.4 * mass * radius * radius * (rebound.spin - run.approach.spin) + 0.4 * ball * of_ball * of_ball * turned;
         let angular = gained * radius + spun - ball * of_ball * moved;
         assert_close("angular momentum of both", angular, 0.0, 1e-12 * (mass + ball) * size * (radius + of_ball))?;
     }

@@ -16,7 +16,7 @@ pub fn a_row_has_the_bits_of_the_impact(run: &Run) -> Judgement {
         return Ok(false);
     }
     let impact = run.contact.impact(run.approach, &run.solver, None).unwrap().row;
-    let list = vec![format!("sweep={{\"impact.speed\"=[{:e}]}}", run.approach.speed)];
+    let list = vec![format!("sweep={{\"impact.speed\"=[{:e}]}}", run.scene.input().unwrap().speed())];
     let plan = run.scene.without(&["impact.speed"]).scenario(&list).unwrap().plan().unwrap();
     let mut rows = Rows::default();
     Evaluator::new(&plan).append_rows(0..1, &mut rows);
@@ -58,7 +58,7 @@ pub fn spot_and_friction_leave_the_normal_motion(run: &Run) -> Judgement {
     }
     let by = |approach: Approach| run.contact.impact(approach, &run.solver, run.scene.samples).unwrap();
     prop_assert_eq!(debug_text(&by(run.approach)), debug_text(&run.impact));
-    if run.approach.incidence.is_none() {
+    if run.approach.friction.is_none() {
         return Ok(true);
     }
     let (mut straight, mut oblique) = (by(run.speed().into()), run.impact.clone());
@@ -180,7 +180,7 @@ pub fn fixed_steps_come_near(run: &Run) -> Judgement {
 /// that is flat and very heavy, to rounding.
 pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judgement {
     let (scene, contact) = (&run.scene, &run.contact);
-    if !run.is_fresh() || run.approach.incidence.is_some() || run.turns_at_subdivision() {
+    if !run.is_fresh() || run.approach.friction.is_some() || run.turns_at_subdivision() {
         return Ok(false);
     }
     let with = |path, number| scene.with(path, KeySetting::Number(number));

@@ -77,7 +77,7 @@ impl AnyScene {
         let (approach, solver) = (input.approach(), input.solver());
         let (mut before, mut earlier) = (Spot::new(), None);
         if let Some(ratio) = self.earlier {
-            let approach = Approach { speed: approach.speed * ratio, ..approach };
+            let approach = Approach { normal: approach.normal * ratio, along: approach.along * ratio, ..approach };
             earlier = Some(contact.impact_on(&mut before, approach, &solver, None)?);
         }
         let mut after = before.clone();
@@ -142,7 +142,7 @@ pub struct Run {
 impl Run {
     /// The speed normal to the surface.
     pub fn speed(&self) -> f64 {
-        self.approach.components()[0]
+        self.approach.normal
     }
 
     /// The contact with the strength of the strain rate of this impact.
