@@ -43,7 +43,7 @@ pub(super) struct LoadCycle {
 pub(super) fn load_cycle_at_work(law: &Law, yield_radius_ratio: f64, spent: f64) -> LoadCycle {
     let piece = &law.loading.pieces()[law.loading.index_at_work(spent)];
     let peak = law.loaded_state(piece.indentation_at_work(spent));
-    let restitution = (law.unloading(peak).recoverable_energy() / spent).sqrt();
+    let restitution = (law.unload(peak).recoverable_energy() / spent).sqrt();
     LoadCycle { peak, restitution, contact_radius: law.contact_radius(&peak) * yield_radius_ratio }
 }
 

@@ -43,7 +43,7 @@ pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>,
 
 /// Restitution of a load cycle to x: √(recovered/spent work).
 pub(super) fn restitution(law: &Law, x: f64) -> f64 {
-    (law.unloading(law.loaded_state(x)).stored_energy(x) / law.loading.work(x)).sqrt()
+    (law.unload(law.loaded_state(x)).stored_energy(x) / law.loading.work(x)).sqrt()
 }
 
 /// A quantity of a load cycle: its name, the exponent of the law, and a function that gives the numbers of the finite elements and

@@ -95,7 +95,7 @@ impl Contact {
             // an elastic contact follows Hertz
             return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
         };
-        let unloading = law.unloading(peak);
+        let unloading = law.unload(peak);
         let stored = unloading.stored_energy_at(indentation / scales.units.length - peak.residual());
         ContactEnergy {
             stored: stored * scales.units.energy(),
@@ -113,7 +113,7 @@ impl Contact {
         let x = indentation / scales.units.length;
         let slope = match memory.to_state(scales.units.length, scales.units.force) {
             Some(peak) if x <= peak.residual() => 0.0,
-            Some(peak) if x <= peak.indentation => law.unloading(peak).slope_at(x - peak.residual()),
+            Some(peak) if x <= peak.indentation => law.unload(peak).slope_at(x - peak.residual()),
             None if x <= 0.0 => 0.0,
             _ => law.loading.pieces()[law.loading.index_at(x)].slope_at(x),
         };

@@ -32,7 +32,7 @@ impl Contact {
         let friction_radius = if recovered >= peak.elastic_approach {
             peak.force / peak.elastic_approach
         } else {
-            law.unloading(peak).radius_ratio(recovered)
+            law.unload(peak).radius_ratio(recovered)
         };
         scales.units.contact_radius * friction_radius
     }

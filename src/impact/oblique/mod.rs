@@ -228,12 +228,12 @@ impl<'a> ObliqueImpact<'a> {
     /// stops rise by at most 1.3. The stops of other laws may jump; these laws are integrated.
     fn slides_throughout(&self) -> bool {
         let ScaledResult { unloading, restitution: e, .. } = self.outcome;
-        let rate = match self.case.ground.law.unloading_rule {
+        let rate = match self.case.ground.law.rule_while_loading() {
             _ if self.psi.is_infinite() => 0.0,
             _ if !self.case.forces.is_none() => return false,
             UnloadingRule::Hertz => 1.0,
             UnloadingRule::PlmRule(_) => 2.0,
-            UnloadingRule::Published(_) => return false,
+            UnloadingRule::Published(_) | UnloadingRule::Relaxed(_) => return false,
         };
         let end = 2.0 * self.chi * (1.0 + e) - e * (2.0 * unloading.exponent - 2.0).min(1.0);
         self.psi.abs() >= end.max(2.0 * self.chi + rate)

@@ -43,7 +43,7 @@ impl<'a> NormalMotion<'a> {
         let track = recorder.into_motion(ground, outcome.unloading, forces.damping);
         let durations = [outcome.loading_time, outcome.contact_time];
         let is_viscous = forces.damping.viscous != 0.0;
-        let is_published = matches!(ground.law.unloading_rule, UnloadingRule::Published(_));
+        let is_published = matches!(ground.law.rule_while_loading(), UnloadingRule::Published(_));
         let is_smooth_at_touch = !is_published || ground.elastic_until() > 0.0;
         let ends = track.piece_end_times().collect();
         let (branch, peak) = (outcome.unloading.to_piece(), outcome.unloading.peak);

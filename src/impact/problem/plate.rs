@@ -129,7 +129,7 @@ impl ContactPlate {
         let mobility = 12.0_f64.sqrt() / 8.0 / (modulus * density).sqrt() / plate.thickness / plate.thickness;
         let under = Self { plate, mass, wave_speed: (modulus / density).sqrt(), mobility };
         // straight unloading is an oscillation of stiffness s that Y damps: critically where Y² s m = 4
-        let unloading = law.unloading(law.loaded_state(1.0));
+        let unloading = law.unload(law.loaded_state(1.0));
         let square =
             mobility * mobility * (unloading.power_stiffness() * scales.units.force / scales.units.length) * mass;
         if unloading.exponent == 1.0 && square >= 4.0 {

@@ -90,7 +90,7 @@ pub fn integrate<'a, I: Integrator>(
         at.distance = entry_distance(ground, piece);
     };
 
-    let unloading = ground.unloading_from_turn(piece, at.distance - entry_distance(ground, piece), None);
+    let unloading = ground.unload(piece, at.distance - entry_distance(ground, piece), None);
     recorder.record_event(if is_at_rest { Event::Captured } else { Event::Peak }, &at);
     let loading_time = at.time;
     let branch = unloading.to_piece();

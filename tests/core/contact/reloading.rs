@@ -84,7 +84,7 @@ fn dent_on_hertz_piece_is_cut() {
     // between first yield and the first knot (x = 1.7) the force is that of Hertz, but there is a dent
     for x in [1.000_001, 1.1, 1.5, 1.699_999, 1.7] {
         let law = Scene::steel().law();
-        let branch = law.unloading(law.loaded_state(x));
+        let branch = law.unload(law.loaded_state(x));
         let dent = law.history_after(branch.peak);
         let reloaded = Surface::new(&law, Some(&dent));
         for target in [x * (1.0 + 1e-9), 1.2 * x, 10.0] {

@@ -42,7 +42,7 @@ pub fn loss_by_quadrature(contact: &Contact, speed: f64) -> f64 {
             })
         })
         .sum();
-    let unloading = law.unloading(peak);
+    let unloading = law.unload(peak);
     let (n, residual) = (unloading.exponent, peak.residual());
     let back = tanh_sinh_reference(0.0, peak.elastic_approach, |d| {
         let slope = n * peak.force / peak.elastic_approach * (d / peak.elastic_approach).powf(n - 1.0);

@@ -23,7 +23,7 @@ fn law_of(run: &Run) -> Option<(Scales, &Law, Option<LoadingHistory>)> {
 pub fn rows_lie_on_the_law(run: &Run) -> Judgement {
     let Some((scales, law, dent)) = law_of(run) else { return Ok(false) };
     let (impact, ground) = (&run.impact, Surface::new(law, dent.as_ref()));
-    let unloading = ground.unloading(ground.loaded_state(impact.row.peak_indentation / scales.units.length));
+    let unloading = ground.unload_at(impact.row.peak_indentation / scales.units.length - ground.first_contact());
     // the distance to the dent is a small difference of two indentations
     let rounding = 1e-11 * impact.row.peak_indentation / impact.elastic_approach;
     // the rows of fixed steps are interpolated
@@ -48,7 +48,7 @@ pub fn rows_lie_on_the_law(run: &Run) -> Judgement {
 /// was spent, of which a warning tells.
 pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judgement {
     let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
-    let UnloadingRule::PlmRule(rule) = &law.unloading_rule else { return Ok(false) };
+    let UnloadingRule::PlmRule(rule) = law.rule_while_loading() else { return Ok(false) };
     let LawChoice::Plm(plm) = run.scene.input().unwrap().law() else { return Ok(false) };
     let used = run.impact.unloading_exponent;
     let x = run.impact.row.peak_indentation / scales.units.length;
@@ -88,7 +88,7 @@ pub fn a_force_with_a_memory_goes_the_same_way(run: &Run) -> Judgement {
     let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
     let (contact, mut memory) = (&run.contact, Memory::default());
     let peak = law.loaded_state(run.impact.row.peak_indentation / scales.units.length);
-    let unloading = law.unloading(peak);
+    let unloading = law.unload(peak);
     let (spent, size) = (law.loading.work(peak.indentation), peak.force * peak.indentation);
     for share in [1.0, 0.6, -0.1, 0.6, 1.0, 1.2] {
         let x = peak.residual() + share * peak.elastic_approach;

@@ -144,7 +144,7 @@ pub fn the_law_is_orderly(run: &Run) -> Judgement {
         prop_assert!(peak.elastic_approach > before.elastic_approach, "{x}");
         prop_assert!(law.contact_radius(&peak) >= law.contact_radius(&before), "{x}");
         prop_assert!(peak.residual() >= before.residual() - lost * x, "{}: {:?} {:?}", x, peak, before);
-        let e = (law.unloading(peak).recoverable_energy() / law.loading.work(x)).sqrt();
+        let e = (law.unload(peak).recoverable_energy() / law.loading.work(x)).sqrt();
         prop_assert!(e <= least * (1.0 + rise) && e <= 1.0 + 1e-12, "{}: {} {}", x, e, least);
         (before, least) = (peak, least.min(e));
     }

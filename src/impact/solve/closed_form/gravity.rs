@@ -23,7 +23,7 @@ pub(super) fn solve(
     tolerance: f64,
 ) -> Result<ScaledResult, IntegrationError> {
     let (last, distance) = ground.turning_point(kinetic_energy(q), forces.weight);
-    let unloading = ground.unloading_from_turn(last, distance, None);
+    let unloading = ground.unload(last, distance, None);
     let is_captured = forces.is_captured(&unloading, q);
     // the sphere leaves at the end of the branch, or its run ends at the static indentation
     let at_end = if is_captured { unloading.elastic_approach_at_force(forces.weight) } else { 0.0 };

@@ -55,7 +55,7 @@ pub fn solve_energy_balance<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> E
     let ground = ground.into();
     let kinetic = kinetic_energy(speed);
     let (last, distance) = ground.turning_point(kinetic, 0.0);
-    let unloading = ground.unloading_from_turn(last, distance, Some(kinetic));
+    let unloading = ground.unload(last, distance, Some(kinetic));
     // a share that differs from 1 by rounding only is 1, and fresh surface gives back no more than was spent
     let share = unloading.recoverable_energy() / kinetic;
     let is_one = (share - 1.0).abs() < 8.0 * f64::EPSILON;

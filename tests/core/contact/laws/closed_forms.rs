@@ -82,7 +82,7 @@ fn uniform_pressure_unloads_like_stack_of_punches() {
     use std::f64::consts::PI;
     let law = law_of(LawChoice::from_name("mesarovic_johnson").unwrap().as_contact_law());
     let peak = law.loaded_state(200.0);
-    let unloading = law.unloading(peak);
+    let unloading = law.unload(peak);
     for t in [0.01_f64, 0.3, 0.7, 0.99, 1.0] {
         let root = (1.0 - t * t).sqrt();
         let force = 2.0 * peak.force / PI * (t.asin() - t * root);

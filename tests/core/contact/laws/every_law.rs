@@ -44,7 +44,7 @@ fn plm_from_its_two_halves_is_the_plm() {
 fn outside_its_range_a_law_has_no_answer() {
     let refused = |name: &str, x: f64| {
         let law = law_of(LawChoice::from_name(name).unwrap().as_contact_law());
-        law.check(&law.unloading(law.loaded_state(x))).err().map(|error| error.to_string())
+        law.check(&law.unload(law.loaded_state(x))).err().map(|error| error.to_string())
     };
     // laws without an elastic regime: the dent would be negative
     for name in ["mesarovic_johnson", "johnson"] {

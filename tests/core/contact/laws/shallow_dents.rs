@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use plm_impact::contact::law::published::{LawParts, LoadedState, Loading};
 use plm_impact::numerics::curve::LoadingCurve;
+use plm_impact::numerics::curve::unloading_curve::UnloadingCurveKind;
 
 use crate::common::prelude::*;
 
@@ -17,7 +18,7 @@ impl ContactLaw for Dented {
         let recovered = 1.0 - self.0;
         let recovery = move |peak: LoadedState| Recovery {
             elastic_approach: recovered * peak.indentation,
-            shape: UnloadingShape::ShiftedHertz,
+            shape: UnloadingShape::Curve(UnloadingCurveKind::ShiftedHertz),
         };
         LawParts::new(Loading::new(LoadingCurve::hertz(), 1.0, |x, _| x.sqrt()), Arc::new(recovery))
     }
