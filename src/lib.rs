@@ -38,7 +38,7 @@
 //! | R_e, R_res | `unloading_radius`, `residual_radius` | m | effective radius of unloading; radius of curvature of the dent |
 //! | n | `unloading_exponent` | 1 | F ∝ (δ − δ_r)^n |
 //! | e | `restitution` | 1 | rebound speed over impact speed (COR) |
-//! | θ, μ, ω | [`Incidence`](impact::Incidence) | rad, 1, rad/s | angle from the normal, coefficient of friction, spin |
+//! | v_n, v_t, ω, μ | [`Approach`](impact::Approach) | m/s, m/s, rad/s, 1 | velocity, spin and coefficient of friction of the arriving sphere |
 //! | g, χ, ζ | [`Forces`](impact::Forces) | m/s², s/m, 1 | gravity; damping after Hunt and Crossley; fraction of critical damping |
 //! | h, Y, λ | [`Plate`](impact::Plate), [`PlateResult`](impact::PlateResult) | m, s/kg, 1 | thickness of a plate that is hit, how it gives way (w' = Y F), Zener's number |
 //! | C(ν) | [`Waves`](crate::impact::problem::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
@@ -61,11 +61,11 @@
 //! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //!
 //! let impact = contact.impact(3.0, &Solver::default(), None)?;
-//! assert!((impact.restitution - 0.490_578_549).abs() < 1e-8);
+//! assert!((impact.row.restitution - 0.490_578_549).abs() < 1e-8);
 //!
 //! // without stepping
 //! let exact = contact.closed_form(3.0)?;
-//! assert!((impact.contact_time / exact.contact_time - 1.0).abs() < 1e-9);
+//! assert!((impact.row.contact_time / exact.row.contact_time - 1.0).abs() < 1e-9);
 //! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!
@@ -110,7 +110,7 @@
 //! let impact = contact.impact(3.0, &Solver::default(), Some(200))?;
 //! assert!(impact.trace.len() >= 200);
 //! let largest = impact.trace.iter().map(|row| row.force).fold(0.0, f64::max);
-//! assert_eq!(largest, impact.peak_force);
+//! assert_eq!(largest, impact.row.peak_force);
 //! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!

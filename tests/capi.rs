@@ -192,7 +192,7 @@ fn example_prints_e_as_page_shows() {
     // velocity Verlet is of second order: 10 ns are a 2900th of the contact, and leave an error of some 1e-7
     let contact = Scenario::load(&scenario, &[]).unwrap().resolve().unwrap().contact().unwrap();
     let e: f64 = shown.trim().strip_prefix("e ").unwrap().parse().unwrap();
-    assert!((e - contact.closed_form(3.0).unwrap().restitution).abs() < 1e-6);
+    assert!((e - contact.closed_form(3.0).unwrap().row.restitution).abs() < 1e-6);
 }
 
 /// The sanitizers of the C compiler see the whole program, and the memory that the library does not give back.
@@ -218,24 +218,24 @@ fn c_program_prints_bits_of_library() {
     let contact = scene.contact().unwrap();
     let exact = contact.closed_form(scene.speed()).unwrap();
     let mut expected = vec![
-        format!("time {:016x}", exact.contact_time.to_bits()),
-        format!("restitution {:016x}", exact.restitution.to_bits()),
+        format!("time {:016x}", exact.row.contact_time.to_bits()),
+        format!("restitution {:016x}", exact.row.restitution.to_bits()),
     ];
     expected.extend(along_the_path(&contact));
     let printed: Vec<_> = printed.lines().collect();
     assert_eq!(printed[..expected.len()], expected);
     let waves = Scenario::load(&with_waves, &[]).unwrap().resolve_bodies().unwrap().contact().unwrap();
-    let waves = waves.closed_form(3.0).unwrap().restitution_with_waves().unwrap();
+    let waves = waves.closed_form(3.0).unwrap().row.restitution_with_waves().unwrap();
     let bits = [("validated_indentation", contact.validated_indentation()), ("waves", waves)]
         .map(|(name, number)| format!("{name} {:016x}", number.to_bits()));
     // a strength that rises with the rate, at the speed of the scenario
     let rated = ["half_space.rate.johnson_cook.c=0.03".to_owned()];
     let rated = Scenario::load(&scenario, &rated).unwrap().resolve().unwrap().contact().unwrap();
     let impact = rated.closed_form(3.0).unwrap();
-    assert!(impact.strain_rate_result.unwrap().factor > 1.1);
+    assert!(impact.row.strain_rate_result.unwrap().factor > 1.1);
     let (rated, mut memory) = (rated.at_speed(3.0).unwrap(), Memory::default());
     let forces = [30e-6, 29e-6].map(|indentation| rated.force(indentation, &mut memory));
-    let of_rate = hex_words(&[impact.contact_time, impact.restitution, forces[0], forces[1]]);
+    let of_rate = hex_words(&[impact.row.contact_time, impact.row.restitution, forces[0], forces[1]]);
     let of_sphere = hex_words(&[contact.sphere().radius, contact.mass(), contact.yield_speed().unwrap()]);
     // the messages of the bad scenarios that the program tried, in its order
     let errors = printed[expected.len()..].join("\n");

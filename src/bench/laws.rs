@@ -6,7 +6,7 @@ use super::measure::time_call;
 use super::problems::steel_on_steel;
 use crate::contact::law::{LawChoice, Plm, UnloadingExponent};
 use crate::contact::strength::flow_curve::FlowCurve;
-use crate::impact::oblique::{Approach, Incidence};
+use crate::impact::Approach;
 use crate::impact::{ImpactError, Solver};
 use crate::numerics::functions::pow;
 
@@ -21,8 +21,8 @@ pub struct LawTiming {
     pub ns_per_contact: f64,
 }
 
-/// 20 degrees and a coefficient of friction at which the contact slips in part.
-const OBLIQUE_INCIDENCE: Incidence = Incidence { angle: 0.349_065_850_398_865_9, spin: 0.0, friction: 0.15 };
+/// 20 degrees \[rad\], and a coefficient of friction at which the contact slips in part.
+const OBLIQUE: [f64; 2] = [0.349_065_850_398_865_9, 0.15];
 
 /// Rows from 5 cm/s to 10 m/s.
 const ROWS: u32 = 1000;
@@ -40,17 +40,17 @@ pub fn law_timings(rounds: u32) -> Result<Vec<LawTiming>, ImpactError> {
     let more = [
         ("plm, pressure-shape", shaped, None),
         ("plm, hardened", hardened, None),
-        ("plm, at 20 deg with friction", Plm::default(), Some(OBLIQUE_INCIDENCE)),
+        ("plm, at 20 deg with friction", Plm::default(), Some(OBLIQUE)),
     ];
-    let more = more.map(|(name, plm, incidence)| (name.to_owned(), LawChoice::Plm(plm), incidence));
-    let laws: Vec<(String, LawChoice, Option<Incidence>)> = named.chain(more).collect();
+    let more = more.map(|(name, plm, oblique)| (name.to_owned(), LawChoice::Plm(plm), oblique));
+    let laws: Vec<(String, LawChoice, Option<[f64; 2]>)> = named.chain(more).collect();
     let mut rates: Vec<LawTiming> = laws
         .iter()
         .map(|(law, ..)| LawTiming { law: law.clone(), ns_per_row: f64::INFINITY, ns_per_contact: f64::INFINITY })
         .collect();
     let speeds: Vec<f64> = (0..ROWS).map(|row| 0.05 * pow(200.0, f64::from(row) / f64::from(ROWS))).collect();
     for _ in 0..rounds {
-        for (rate, (_, law, incidence)) in rates.iter_mut().zip(&laws) {
+        for (rate, (_, law, oblique)) in rates.iter_mut().zip(&laws) {
             let contact = steel_on_steel(law.as_contact_law())?;
             let ((), ns) = time_call(|| {
                 for _ in 0..CONTACTS {
@@ -61,7 +61,8 @@ pub fn law_timings(rounds: u32) -> Result<Vec<LawTiming>, ImpactError> {
             // a law may refuse some of the speeds
             let ((), ns) = time_call(|| {
                 for &speed in &speeds {
-                    let approach = Approach { speed, incidence: *incidence };
+                    let approach = oblique
+                        .map_or(speed.into(), |[angle, friction]| Approach::at_angle(speed, angle, 0.0, friction));
                     black_box(contact.row(black_box(approach), &Solver::AUTO).ok());
                 }
             });

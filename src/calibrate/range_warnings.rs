@@ -21,7 +21,7 @@ impl Calibration<'_> {
             let risen = |value: &MeasuredValue| match value.quantity {
                 MeasuredQuantity::ReboundHeight => Some(value.value),
                 MeasuredQuantity::BounceInterval => {
-                    Some(impact.restitution * impact.restitution * input.drop_height()?)
+                    Some(impact.row.restitution * impact.row.restitution * input.drop_height()?)
                 }
                 // a restitution may come from speeds, which air does not change
                 _ => None,

@@ -64,16 +64,15 @@ impl Contact {
     #[inline]
     pub fn row(&self, approach: impl Into<Approach>, solver: &Solver) -> Result<ImpactRow, ImpactError> {
         let approach = approach.into();
-        let [speed, _] = approach.components();
-        match self.contact_at_speed(speed)? {
-            None => self.row_at(approach, speed, solver),
-            Some(rated) => rated.row_at(approach, speed, solver),
+        match self.contact_at_speed(approach.normal)? {
+            None => self.row_at(approach, solver),
+            Some(rated) => rated.row_at(approach, solver),
         }
     }
 
     #[inline]
-    fn row_at(&self, approach: Approach, speed: f64, solver: &Solver) -> Result<ImpactRow, ImpactError> {
-        let case = self.scaled_impact(None, speed)?;
+    fn row_at(&self, approach: Approach, solver: &Solver) -> Result<ImpactRow, ImpactError> {
+        let case = self.scaled_impact(None, approach.normal)?;
         let outcome = match self.resolve_solver(solver, false)?.method {
             Method::ClosedForm => case.closed_form_outcome(solver.tolerance)?,
             _ => None,
@@ -83,7 +82,7 @@ impl Contact {
             None => solve(case.ground, case.q, &case.forces, None, solver, None)?.outcome,
         };
         case.ground.check(&outcome.unloading)?;
-        let mut essentials = ImpactRow::new(self, speed, &case, &outcome)?;
+        let mut essentials = ImpactRow::new(self, approach.normal, &case, &outcome)?;
         if let Some(inclined) = ObliqueImpact::new(self, &case, &outcome, approach)? {
             essentials.rebound = Some(inclined.rebound(&inclined.slip_result(false)?)?);
         }
@@ -109,8 +108,7 @@ impl Contact {
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
         let approach = approach.into();
-        let [speed, _] = approach.components();
-        let rated = self.contact_at_speed(speed)?;
+        let rated = self.contact_at_speed(approach.normal)?;
         rated.as_ref().unwrap_or(self).impact_on_surface(None, approach, solver, samples).map(|(impact, ..)| impact)
     }
 }

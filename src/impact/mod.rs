@@ -28,7 +28,7 @@ mod warnings;
 
 pub use dem::force::{ContactEnergy, Memory};
 pub use dem::friction::FrictionStep;
-pub use oblique::{Approach, FrictionState, Incidence, ObliqueResult, Rebound};
+pub use oblique::{Approach, FrictionState, ObliqueResult, Rebound};
 pub use problem::contact::{Contact, MaterialNames, StrainRateResult};
 pub use problem::error::ImpactError;
 pub use problem::forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces};
@@ -62,12 +62,11 @@ impl Contact {
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<(Impact, Surface<'a>, Unloading), ImpactError> {
-        let [speed, _] = approach.components();
-        let problem = self.scaled_impact(dent, speed)?;
+        let problem = self.scaled_impact(dent, approach.normal)?;
         let solver = self.resolve_solver(solver, samples.is_some())?;
         let (exact, solution) = problem.solve(&solver, samples)?;
         let unloading = solution.outcome.unloading;
-        let mut impact = Impact::new(self, speed, &problem, solver.method, &solution, exact.as_ref())?;
+        let mut impact = Impact::new(self, approach.normal, &problem, solver.method, &solution, exact.as_ref())?;
         impact.warnings = warnings::impact_warnings(self, &impact, problem.ground, &unloading, &solver);
         if let Some(oblique) = ObliqueImpact::new(self, &problem, &solution.outcome, approach)? {
             impact.add_friction(&oblique, approach)?;

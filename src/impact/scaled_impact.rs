@@ -6,7 +6,7 @@ use super::problem::contact::Contact;
 use super::problem::error::ImpactError;
 use super::problem::forces::ScaledForces;
 use super::problem::plate::ScaledPlate;
-use super::problem::scales::{FORCE_FACTOR, Scales};
+use super::problem::scales::{FORCE_FACTOR, Scales, kinetic_energy};
 use super::solve::undamped_contact_time;
 use crate::contact::body::finite_positive;
 use crate::contact::law::{Law, LoadingHistory, Surface};
@@ -52,7 +52,7 @@ impl Contact {
             let (q, least) = (speed / self.scales.speed, self.elastic_speed / self.scales.speed);
             let until = self.law.recovers_fully_until();
             // a law without an elastic regime yields at once
-            until == 0.0 || 0.4 * q * q + weight / self.scales.force * until > 0.4 * least * least
+            until == 0.0 || kinetic_energy(q) + weight / self.scales.units.force * until > kinetic_energy(least)
         };
         let (scales, ground, q) = if dent.is_some() || speed > self.elastic_speed || weight > 0.0 && with_weight() {
             let q = speed / self.scales.speed;
@@ -60,7 +60,7 @@ impl Contact {
                 0.0 => "kinetic energy in units of that at first yield",
                 _ => "kinetic energy and weight in units of those at first yield",
             };
-            finite_positive(quantity, q * q + weight / self.scales.force)?;
+            finite_positive(quantity, q * q + weight / self.scales.units.force)?;
             (self.scales, Surface::new(&self.law, dent), q)
         } else {
             let scales = Scales::from_hertz_impact(self.pair(), self.reduced_mass(), speed, gravity)?;
@@ -73,7 +73,7 @@ impl Contact {
             .forces()
             .damping
             .map_or(DampingCoefficients::NONE, |damping| damping.scaled_coefficients(scales.speed));
-        let mut forces = ScaledForces { weight: weight / scales.force, damping: drag };
+        let mut forces = ScaledForces { weight: weight / scales.units.force, damping: drag };
         let mut plate = None;
         if let Some(under) = self.contact_plate()? {
             let free_time = undamped_contact_time(ground, q, &forces)? * scales.time();

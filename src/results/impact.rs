@@ -27,7 +27,7 @@ pub struct SingleImpact<'a> {
 impl SingleImpact<'_> {
     /// The value of a column of tables, if the impact has it.
     fn column_value(&self, needs: Requirement, value: fn(&ImpactRow) -> Option<f64>) -> Option<Value> {
-        let row = &self.impact.essentials;
+        let row = &self.impact.row;
         needs.is_met_by(self.contact, row).then(|| value(row).into())
     }
 
@@ -39,7 +39,7 @@ impl SingleImpact<'_> {
     /// Which body flows.
     fn yielding_body(&self) -> &'static str {
         match self.contact.pair().yield_point.map(|point| point.yield_partition) {
-            Some(flow) if self.impact.has_dent() => match flow {
+            Some(flow) if self.impact.row.has_dent() => match flow {
                 _ if flow.is_shared() => "both",
                 YieldPartition { is_sphere: true, .. } => "sphere",
                 _ => "half_space",
@@ -65,7 +65,7 @@ impl SingleImpact<'_> {
 
     /// The value, if a plate is hit.
     fn if_plate<V>(&self, value: impl FnOnce(&PlateResult) -> V) -> Option<V> {
-        self.impact.plate.as_ref().map(value)
+        self.impact.row.plate.as_ref().map(value)
     }
 
     /// The value, if the sphere came in at an angle, or spinning.
@@ -172,7 +172,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
             [Incidence: |row| rebound_value(row, |after| after.loss_fraction)];
         /// `sliding` for gross sliding (closed form), `partial` for partial slip.
         "sliding_regime" as "friction regime" if OBLIQUE:
-            single.impact.rebound.map(|after| if after.is_sliding { "sliding" } else { "partial" });
+            single.impact.row.rebound.map(|after| if after.is_sliding { "sliding" } else { "partial" });
         /// 1 for gross sliding, 0 for partial slip.
         "is_sliding" if TABLES [Incidence: |row| rebound_value(row, |after| f64::from(u8::from(after.is_sliding)))];
         /// Dimensionless slip speed before the impact, 4 (G*/E*) s_0/(mu v_n); infinite (`null`) without friction.
@@ -193,7 +193,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Part of the maximum indentation in the sphere, including its permanent flat; 0 for a rigid sphere.
         "peak_sphere_indentation_m" in Length as "of it in the sphere {}": single.impact.peak_sphere_indentation;
         /// Contact radius at the maximum indentation.
-        "peak_contact_radius_m" in Length as "contact radius": single.impact.peak_contact_radius;
+        "peak_contact_radius_m" in Length as "contact radius": single.impact.row.peak_contact_radius;
         /// Contact radius over the radius of the sphere, or of a smaller second ball; see the limits of validity.
         "contact_radius_over_R" as "{} of the sphere's radius" [Nothing: |row| Some(row.radius_ratio)];
         /// 1 if the contact radius or the indentation is outside the range of validity of the law, so the row is an estimate;

@@ -66,13 +66,13 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         /// Reason for the end of the series, as text.
         "end" as "end of series": end_text(series.repeat, series.sequence);
         /// Restitution of the last impact; with waves, if the half-space has a density.
-        "final_restitution" as "last restitution": series.last_value(|hit| hit.measured_restitution());
+        "final_restitution" as "last restitution": series.last_value(|hit| hit.impact.row.measured_restitution());
         /// Rebound speed of the last impact.
         "final_rebound_speed_m_per_s" in Speed as "rebound speed {}": series.last_value(|hit| hit.rebound_speed);
         /// Maximum contact force of all impacts.
-        "largest_peak_force_N" in Force: series.max_value(|hit| hit.peak_force);
+        "largest_peak_force_N" in Force: series.max_value(|hit| hit.impact.row.peak_force);
         /// Maximum indentation of all impacts, from the original surface.
-        "largest_peak_indentation_m" in Length: series.max_value(|hit| hit.peak_indentation);
+        "largest_peak_indentation_m" in Length: series.max_value(|hit| hit.impact.row.peak_indentation);
         /// Depth of the deepest dent, including the flat on the sphere.
         "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: series.if_yields(series.sequence.deepest_dent());
         /// Gravity.
@@ -106,23 +106,23 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         "static_indentation_m" in Length as "final indentation" if CAPTURED:
             series.bouncing_settings().and_then(|_| series.sequence.impacts.last()?.forces_value(|forces| forces.static_indentation));
         /// Kinetic energy at the first contact.
-        "energy.first_kinetic_in_J" in Energy: series.first_value(|hit| hit.kinetic_in);
+        "energy.first_kinetic_in_J" in Energy: series.first_value(|hit| hit.impact.row.kinetic_in);
         /// Kinetic energy after the last impact.
-        "energy.last_recovered_J" in Energy: series.last_value(|hit| hit.energy.recovered);
+        "energy.last_recovered_J" in Energy: series.last_value(|hit| hit.recovered_energy());
         /// Energy radiated as elastic waves.
         "energy.waves_J" in Energy if WAVES:
             series.sequence.impacts.iter().filter_map(SeriesImpact::radiated_energy).reduce(|all, one| all + one);
         /// Plastic work of all impacts.
-        "energy.plastic_J" in Energy if YIELDS: series.if_yields(series.sequence.impacts.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
+        "energy.plastic_J" in Energy if YIELDS: series.if_yields(series.sequence.impacts.iter().filter_map(|hit| hit.impact.energy.plastic).sum::<f64>());
         /// Energy that the plate absorbed in all impacts.
         "energy.plate_J" in Energy if PLATE: series.plate_energy();
         /// Energy that friction absorbed in all impacts.
         "energy.friction_J" in Energy if OBLIQUE:
-            series.sequence.impacts.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
+            series.sequence.impacts.iter().filter_map(|hit| hit.impact.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
         /// Maximum error of the energy balance of all impacts.
         "energy.balance_error" in Error as "energy balance error": series.sequence.max_balance_error();
         /// Number of impacts in the trace: the first impacts of a long series.
-        "traced_impacts": series.sequence.traced_impacts.len();
+        "traced_impacts": series.sequence.traced_impacts().len();
         /// Warnings about scenario, model and run.
         "warnings": series.warnings.to_vec();
         /// Effective modulus E* of the pair of bodies.
@@ -152,8 +152,8 @@ fn end_text(repeat: &ImpactSeries, sequence: &SeriesResult) -> String {
 }
 
 /// The columns of `impacts.csv`, behind the number of the impact.
-pub fn impact_columns() -> Vec<ResultSpec<(usize, SeriesImpact)>> {
-    result_specs! { |row: (usize, SeriesImpact)|
+pub fn impact_columns<'a>() -> Vec<ResultSpec<(usize, &'a SeriesImpact)>> {
+    result_specs! { |row: (usize, &'a SeriesImpact)|
         /// Number of the impact, from 1.
         "impact" as "impact": row.0;
         /// Time of first contact, since the release of the sphere; without a drop height, since the first contact of the series.
@@ -161,45 +161,45 @@ pub fn impact_columns() -> Vec<ResultSpec<(usize, SeriesImpact)>> {
         /// Distance of the impact from the first impact, along the surface.
         "position_m" in Length as "place" if OBLIQUE: row.1.tangential_speed().map(|_| row.1.position);
         /// Normal speed at first contact.
-        "impact_speed_m_per_s" in Speed as "speed": row.1.speed;
+        "impact_speed_m_per_s" in Speed as "speed": row.1.approach.normal;
         /// Tangential speed of the sphere at first contact.
         "tangential_speed_m_per_s" in Speed as "along" if OBLIQUE: row.1.tangential_speed();
         /// Spin of the sphere at first contact; positive for rolling forward.
-        "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.incidence.map(|incidence| incidence.spin);
+        "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.friction.map(|_| row.1.approach.spin);
         /// Coefficient of restitution by the law; 0 if captured.
-        "restitution" as "e": row.1.restitution;
+        "restitution" as "e": row.1.impact.row.restitution;
         /// Restitution reduced by the energy of elastic waves.
-        "restitution_with_waves" as "with waves" if WAVES: row.1.restitution_with_waves();
+        "restitution_with_waves" as "with waves" if WAVES: row.1.impact.row.restitution_with_waves();
         /// Rebound speed at the start of the flight; with waves if the half-space has a density.
         "rebound_speed_m_per_s" in Speed as "rebound": row.1.rebound_speed;
         /// Tangential speed of the sphere at the start of the flight.
-        "rebound_tangential_speed_m_per_s" in Speed if OBLIQUE: row.1.rebound.map(|after| after.tangential_speed);
+        "rebound_tangential_speed_m_per_s" in Speed if OBLIQUE: row.1.impact.row.rebound.map(|after| after.tangential_speed);
         /// Spin of the sphere in the flight.
-        "rebound_spin_rad_per_s" in AngularSpeed if OBLIQUE: row.1.rebound.map(|after| after.spin);
+        "rebound_spin_rad_per_s" in AngularSpeed if OBLIQUE: row.1.impact.row.rebound.map(|after| after.spin);
         /// Maximum contact force.
-        "peak_force_N" in Force as "peak force": row.1.peak_force;
+        "peak_force_N" in Force as "peak force": row.1.impact.row.peak_force;
         /// Maximum indentation, from the original surface.
-        "peak_indentation_m" in Length as "peak depth": row.1.peak_indentation;
+        "peak_indentation_m" in Length as "peak depth": row.1.impact.row.peak_indentation;
         /// Depth of the dent after the impact, including the flat on the sphere.
-        "residual_indentation_m" in Length as "dent" if YIELDS: row.1.energy.plastic.map(|_| row.1.residual_indentation);
+        "residual_indentation_m" in Length as "dent" if YIELDS: row.1.impact.energy.plastic.map(|_| row.1.impact.row.residual_indentation);
         /// Increase of the dent depth by this impact.
-        "dent_growth_m" in Length as "growth" if YIELDS: row.1.energy.plastic.map(|_| row.1.dent_growth);
+        "dent_growth_m" in Length as "growth" if YIELDS: row.1.impact.energy.plastic.map(|_| row.1.dent_growth);
         /// Time from first contact to separation; empty if captured.
-        "contact_time_s" in Time as "contact": row.1.contact_time;
+        "contact_time_s" in Time as "contact": row.1.impact.row.contact_time;
         /// Kinetic energy at first contact.
-        "kinetic_in_J" in Energy: row.1.kinetic_in;
+        "kinetic_in_J" in Energy: row.1.impact.row.kinetic_in;
         /// Kinetic energy at the start of the flight.
-        "recovered_J" in Energy: row.1.energy.recovered;
+        "recovered_J" in Energy: row.1.recovered_energy();
         /// Energy radiated as elastic waves.
         "waves_J" in Energy if WAVES: row.1.radiated_energy();
         /// Plastic work.
-        "plastic_J" in Energy if YIELDS: row.1.energy.plastic;
+        "plastic_J" in Energy if YIELDS: row.1.impact.energy.plastic;
         /// Energy in the plate at separation, or at the end of the computation of a captured sphere.
         "plate_J" in Energy if PLATE: row.1.plate_energy();
         /// Energy absorbed by damping.
         "damping_J" in Energy if DAMPING: row.1.forces_value(|forces| forces.damping_loss);
         /// Energy absorbed by friction.
-        "friction_J" in Energy if OBLIQUE: row.1.oblique.map(|friction| friction.loss);
+        "friction_J" in Energy if OBLIQUE: row.1.impact.oblique.map(|friction| friction.loss);
         /// Elastic energy left in the contact if the sphere separates before the contact has recovered.
         "stored_at_separation_J" in Energy if VISCOUS: row.1.forces_value(|forces| forces.stored_at_separation);
         /// Kinetic and elastic energy at the end of the computation of a captured sphere.
@@ -207,7 +207,7 @@ pub fn impact_columns() -> Vec<ResultSpec<(usize, SeriesImpact)>> {
         /// Work of gravity since first contact.
         "gravity_work_J" in Energy if GRAVITY: row.1.forces_value(|forces| forces.gravity_work);
         /// Error of the energy balance.
-        "energy_balance_error" in Error: row.1.energy.balance_error;
+        "energy_balance_error" in Error: row.1.impact.energy.balance_error;
     }
 }
 

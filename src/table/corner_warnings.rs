@@ -55,7 +55,7 @@ pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> CornerWarnings {
             },
             |contact| impact(contact, &input),
         );
-        has_dent |= impact.as_ref().is_some_and(|impact| impact.has_dent());
+        has_dent |= impact.as_ref().is_some_and(|impact| impact.row.has_dent());
         let of_impact = impact.map_or_else(Vec::new, |impact| impact.warnings);
         for warning in of_impact.into_iter().chain(input.flight_warnings()) {
             let text = |(axis, place): (&SweepAxis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));

@@ -11,28 +11,28 @@ use crate::scenario::input::Input;
 
 const QUANTITIES: [ComparedQuantity<DynamicCase>; 8] = [
     (Group::new("impact: restitution, exponent 3/2", DYNAMIC_SOURCE, ""), |case| {
-        Some([case.reference.number("restitution"), case.impacts[0].restitution])
+        Some([case.reference.number("restitution"), case.impacts[0].row.restitution])
     }),
     (Group::new("impact: restitution, pressure-shape", DYNAMIC_SOURCE, ""), |case| {
-        Some([case.reference.number("restitution"), case.impacts[1].restitution])
+        Some([case.reference.number("restitution"), case.impacts[1].row.restitution])
     }),
     (Group::new("impact: restitution, pressure-shape with waves", DYNAMIC_SOURCE, ""), |case| {
-        Some([case.reference.number("restitution"), case.impacts[1].restitution_with_waves()?])
+        Some([case.reference.number("restitution"), case.impacts[1].row.restitution_with_waves()?])
     }),
     (Group::new("impact: energy radiated as waves", DYNAMIC_SOURCE, ""), |case| {
-        Some([case.reference.number("radiated_share"), case.impacts[1].wave_loss_fraction?])
+        Some([case.reference.number("radiated_share"), case.impacts[1].row.wave_loss_fraction?])
     }),
     (Group::new("impact: contact time, exponent 3/2", DYNAMIC_SOURCE, "s"), |case| {
-        Some([case.reference.number("contact_time_s"), case.impacts[0].contact_time])
+        Some([case.reference.number("contact_time_s"), case.impacts[0].row.contact_time])
     }),
     (Group::new("impact: contact time, pressure-shape", DYNAMIC_SOURCE, "s"), |case| {
-        Some([case.reference.number("contact_time_s"), case.impacts[1].contact_time])
+        Some([case.reference.number("contact_time_s"), case.impacts[1].row.contact_time])
     }),
     (Group::new("impact: peak force", DYNAMIC_SOURCE, "N"), |case| {
-        Some([case.reference.number("peak_force_N"), case.impacts[0].peak_force])
+        Some([case.reference.number("peak_force_N"), case.impacts[0].row.peak_force])
     }),
     (Group::new("impact: residual indentation", DYNAMIC_SOURCE, "m"), |case| {
-        Some([case.reference.number("residual_indentation_m"), case.impacts[0].residual_indentation])
+        Some([case.reference.number("residual_indentation_m"), case.impacts[0].row.residual_indentation])
     }),
 ];
 

@@ -48,8 +48,8 @@ pub fn cycle_errors(coefficients: &PlmCoefficients, exponent: UnloadingExponent)
     for case in dynamic::cases(coefficients)? {
         // in the order of the exponents of the comparison: 3/2 first
         let impact = &case.impacts[usize::from(exponent == UnloadingExponent::PressureShape)];
-        let error = deviation(case.reference.number("restitution"), impact.measured_restitution());
-        errors.push((BodyClass::PerfectlyPlastic, impact.radius_ratio, error));
+        let error = deviation(case.reference.number("restitution"), impact.row.measured_restitution());
+        errors.push((BodyClass::PerfectlyPlastic, impact.row.radius_ratio, error));
     }
     Ok(errors)
 }

@@ -33,7 +33,7 @@ pub(super) fn restitution(device: &ReferenceRow, strength: f64, coefficients: &P
     let half_space = HalfSpace { density: Some(STEEL_DENSITY), ..HalfSpace::flat(Material::STEEL, Some(strength)) };
     let law = Plm::new(coefficients, UnloadingExponent::PressureShape);
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form((2.0 * energy / mass).sqrt())?;
-    Ok(impact.measured_restitution())
+    Ok(impact.row.measured_restitution())
 }
 
 /// The yield strength \[Pa\] of a block on which the device measures this restitution, by bisection: e rises with the

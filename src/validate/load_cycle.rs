@@ -23,7 +23,7 @@ impl LoadCycle {
     }
 
     fn with_peak(law: &Law, peak: ContactState, spent: f64) -> Self {
-        let restitution = (law.unloading(peak).recoverable_energy() / spent).sqrt();
+        let restitution = (law.unload(peak).recoverable_energy() / spent).sqrt();
         Self { peak, restitution, contact_radius: law.contact_radius(&peak) }
     }
 }

@@ -13,7 +13,7 @@ pub mod law_error;
 pub mod laws;
 mod leeb;
 mod load_cycle;
-mod oblique;
+pub mod oblique;
 mod pictures;
 mod quasi_static;
 mod rate;

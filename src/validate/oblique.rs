@@ -5,8 +5,11 @@ use super::comparison::{Comparison, Group};
 use crate::contact::body::{HalfSpace, Material, Sphere};
 use crate::contact::law::{Plm, PlmCoefficients};
 use crate::error::Error;
-use crate::impact::{Approach, Contact, Incidence, Rebound, Solver};
+use crate::impact::oblique::normal_motion::NormalMotion;
+use crate::impact::problem::scales::FORCE_FACTOR;
+use crate::impact::{Approach, Contact, Rebound, Solver};
 use crate::numerics::functions::atan;
+use crate::numerics::ode::IntegrationError;
 use crate::reference::{OBLIQUE_SLIPS, REBOUNDS};
 
 const KHARAZ: &str = "Kharaz, Gorham and Salman 2001, kharaz.csv";
@@ -33,8 +36,8 @@ pub(super) fn alumina_on_glass() -> Result<Contact, Error> {
 
 /// The rebound at an angle from the normal \[rad\], without spin before.
 pub(super) fn rebound(contact: &Contact, angle: f64, friction: f64) -> Result<Option<Rebound>, Error> {
-    let approach = Approach { speed: SPEED, incidence: Some(Incidence { angle, spin: 0.0, friction }) };
-    Ok(contact.impact(approach, &Solver::default(), None)?.rebound)
+    let approach = Approach::at_angle(SPEED, angle, 0.0, friction);
+    Ok(contact.impact(approach, &Solver::default(), None)?.row.rebound)
 }
 
 /// The coefficients of the law have no part in impacts that stay elastic.
@@ -63,4 +66,31 @@ pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
         compared.push(SLIP.compare(format!("s_0/(mu v_n) = {before}"), numbers));
     }
     Ok(compared)
+}
+
+/// s_1/s_0 at this ψ_1 and χ of an elastic impact with one tangential spring, as the contact of a DEM code carries it
+/// (`mindlin_rescale/force` of LAMMPS; Thornton, Cummins and Cleary 2013): during unloading the force is first scaled with the
+/// radius. Velocity Verlet in 1000 steps a leg.
+///
+/// ```text
+/// T' = −(3/2) α σ,   |T| ≤ f
+/// ```
+pub fn single_spring_ratio(psi: f64, chi: f64) -> Result<f64, IntegrationError> {
+    const STEPS: u32 = 1000;
+    let motion = NormalMotion::elastic_motion()?;
+    let rate = 2.0 * FORCE_FACTOR * chi;
+    let (mut slip, mut force, mut before, mut begun) = (psi, 0.0, 0.0, 0.0);
+    for end in motion.leg_ends() {
+        let dt = (end - begun) / f64::from(STEPS);
+        for k in 1..=STEPS {
+            let [after, limit] = motion.radius_and_force(if k == STEPS { end } else { begun + dt * f64::from(k) });
+            let half = slip + 0.5 * dt * rate * force;
+            let kept: f64 = if after < before { force * after / before } else { force };
+            force = (kept - 0.75 * (before + after) * half * dt).clamp(-limit, limit);
+            slip = half + 0.5 * dt * rate * force;
+            before = after;
+        }
+        begun = end;
+    }
+    Ok(slip / psi)
 }

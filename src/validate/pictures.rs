@@ -9,12 +9,11 @@ use super::figure_10::figure_10;
 use super::hardening::hardening_law;
 use super::leeb::restitution as of_device;
 use super::load_cycle::LoadCycle;
-use super::oblique::{FRICTION, alumina_on_glass, rebound};
+use super::oblique::{FRICTION, alumina_on_glass, rebound, single_spring_ratio};
 use super::yielding::yielding_cycles;
 use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::files::{OutputFile, Progress};
-use crate::impact::oblique::normal_motion::NormalMotion;
 use crate::impact::{ImpactError, TraceRow};
 use crate::numerics::functions::{exp, ln, sin_cos};
 use crate::reference::{HARDENING, LEEB_DEVICES, LEEB_STEELS, REBOUNDS, ReferenceRow};
@@ -132,8 +131,8 @@ fn impact(case: &dynamic::DynamicCase) -> Picture {
     let mut notes = vec!["points: finite elements".to_owned(), "Restitution".to_owned()];
     notes.push(format!("  finite elements: {:.4}", case.reference.number("restitution")));
     let of_law = case.impacts.iter().zip(EXPONENTS);
-    notes.extend(of_law.map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution)));
-    let with_waves = case.impacts[1].restitution_with_waves();
+    notes.extend(of_law.map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.row.restitution)));
+    let with_waves = case.impacts[1].row.restitution_with_waves();
     notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
     let axes = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
     let (name, slug) = (case.reference.cell_text("case"), case.reference.cell_text("case").to_lowercase());
@@ -254,7 +253,6 @@ fn oblique() -> Result<Picture, Error> {
     let measured = measured.map(|row| (row.number("angle_deg"), row.number("value"))).collect();
     let measured = Series::points("measured, alumina on glass", measured);
     let contact = alumina_on_glass()?;
-    let motion = NormalMotion::elastic_motion().map_err(ImpactError::from)?;
     let (chi, j) = (contact.chi(), contact.slip_factor());
     let mut curves = [Vec::new(), Vec::new(), Vec::new()];
     // up to 65 degrees
@@ -266,7 +264,11 @@ fn oblique() -> Result<Picture, Error> {
         // s_0 = v_t, so that e_t = 1 + (s_1/s_0 - 1)/j
         let psi = 4.0 * contact.shear_ratio() * sin / cos / FRICTION;
         let sliding = 1.0 - 4.0 * chi / psi;
-        let ratios = [-after.contact_point_restitution, motion.single_spring_ratio(psi, chi), sliding.max(0.0)];
+        let ratios = [
+            -after.contact_point_restitution,
+            single_spring_ratio(psi, chi).map_err(ImpactError::from)?,
+            sliding.max(0.0),
+        ];
         for (curve, ratio) in curves.iter_mut().zip(ratios) {
             curve.push((degrees, 1.0 + (ratio - 1.0) / j));
         }

@@ -15,22 +15,22 @@ type RateCase = (ReferenceRow, Impact);
 
 const QUANTITIES: [ComparedQuantity<RateCase>; 5] = [
     (Group::new("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |(row, impact)| {
-        Some([row.number("restitution"), impact.restitution_with_waves()?])
+        Some([row.number("restitution"), impact.row.restitution_with_waves()?])
     }),
     (Group::new("impact with strain rate: contact time", SOURCE, "s"), |(row, impact)| {
-        Some([row.number("contact_time_s"), impact.contact_time])
+        Some([row.number("contact_time_s"), impact.row.contact_time])
     }),
     (Group::new("impact with strain rate: peak force", SOURCE, "N"), |(row, impact)| {
-        Some([row.number("peak_force_N"), impact.peak_force])
+        Some([row.number("peak_force_N"), impact.row.peak_force])
     }),
     (Group::new("impact with strain rate: peak indentation", SOURCE, "m"), |(row, impact)| {
-        Some([row.number("peak_indentation_m"), impact.peak_indentation])
+        Some([row.number("peak_indentation_m"), impact.row.peak_indentation])
     }),
     (
         Group::new_difference("impact with strain rate: residual indentation over peak indentation", SOURCE, ""),
         |(row, impact)| {
             Some(
-                [row.number("residual_indentation_m"), impact.residual_indentation]
+                [row.number("residual_indentation_m"), impact.row.residual_indentation]
                     .map(|depth| depth / row.number("peak_indentation_m")),
             )
         },

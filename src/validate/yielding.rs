@@ -115,7 +115,7 @@ pub(super) fn equal_balls(coefficients: &PlmCoefficients) -> Result<Vec<Comparis
     for (name, harder) in WALLS {
         let on_wall = Contact::try_new(ball, wall(harder * strength), &law)?;
         for speed in SPEEDS {
-            let of_law = on_ball.closed_form(speed)?.restitution / on_wall.closed_form(speed)?.restitution;
+            let of_law = on_ball.closed_form(speed)?.row.restitution / on_wall.closed_form(speed)?.row.restitution;
             compared.push(WEIR_TALLON.compare(format!("{name}, {speed} m/s"), [0.81, of_law]));
         }
     }

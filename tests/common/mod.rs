@@ -156,11 +156,11 @@ pub fn max_relative_error_of_outcomes(got: &ScaledResult, want: &ScaledResult) -
 /// The largest relative error among restitution, times, peak force and peak indentation of two impacts.
 pub fn max_relative_error(got: &Impact, want: &Impact) -> f64 {
     [
-        relative_error(got.restitution, want.restitution),
-        relative_error(got.contact_time, want.contact_time),
+        relative_error(got.row.restitution, want.row.restitution),
+        relative_error(got.row.contact_time, want.row.contact_time),
         relative_error(got.loading_time, want.loading_time),
-        relative_error(got.peak_force, want.peak_force),
-        relative_error(got.peak_indentation, want.peak_indentation),
+        relative_error(got.row.peak_force, want.row.peak_force),
+        relative_error(got.row.peak_indentation, want.row.peak_indentation),
     ]
     .into_iter()
     .fold(0.0, nan_max)

@@ -70,7 +70,7 @@ pub fn assert_same(row: &Result<ImpactRow, RowFailure>, single: &Result<ImpactRo
 /// The results of the single run that a row is compared with. If the row has the interval of e, the single run has its own.
 pub fn single_of(input: &Input, row: &Result<ImpactRow, RowFailure>) -> Result<ImpactRow, RowFailure> {
     let contact = input.contact().map_err(RowFailure::from)?;
-    let mut single = contact.impact(input.approach(), &input.solver(), None).map_err(RowFailure::from)?.essentials;
+    let mut single = contact.impact(input.approach(), &input.solver(), None).map_err(RowFailure::from)?.row;
     if let Ok(ImpactRow { restitution_interval: Some(_), .. }) = row {
         let interval = restitution_interval(input, &contact, input.speed(), &single);
         single.restitution_interval = interval.map(|interval| [interval.low, interval.high]);

@@ -46,9 +46,9 @@ fn axes_multiply_and_the_first_varies_slowest() {
     let impact = contact(STEEL, &["impact.speed=3", "sphere.radius=0.002"]).closed_form(3.0).unwrap();
     let number = |i: usize| first[i].parse::<f64>().unwrap();
     // the digits give exactly the numbers of a single impact
-    assert_eq!(number(4), impact.restitution);
-    assert_eq!(number(5), impact.contact_time);
-    assert_eq!((number(8), number(9)), (impact.peak_contact_radius / 0.002, 0.0));
+    assert_eq!(number(4), impact.row.restitution);
+    assert_eq!(number(5), impact.row.contact_time);
+    assert_eq!((number(8), number(9)), (impact.row.peak_contact_radius / 0.002, 0.0));
     assert_eq!(number(11), 2.0 * impact.dent_radius.unwrap());
     assert_relative_eq!(number(12) + number(13), 1.0, max_relative = 1e-14);
 }
@@ -162,9 +162,9 @@ law = ["plm", "thornton"]
     let radius = "sphere.radius=0.02";
     for (case, exponent) in [(19_996, "1.3"), (19_997, "1.4")] {
         let contact = contact(STEEL, &[radius, &format!("law.plm.unloading_exponent={exponent}")]);
-        assert_eq!(e(case), contact.closed_form(3.0).unwrap().restitution, "{exponent}");
+        assert_eq!(e(case), contact.closed_form(3.0).unwrap().row.restitution, "{exponent}");
     }
-    assert_eq!(e(19_999), contact(STEEL, &[radius, "law=thornton"]).closed_form(3.0).unwrap().restitution);
+    assert_eq!(e(19_999), contact(STEEL, &[radius, "law=thornton"]).closed_form(3.0).unwrap().row.restitution);
     let table = |threads: &str| {
         let desk = Sandbox::with(&text);
         desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none", "--threads", threads], 0);

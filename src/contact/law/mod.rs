@@ -17,6 +17,7 @@ mod contact_law;
 mod peak_law;
 pub mod plm;
 pub mod published;
+mod recovery;
 mod surface;
 pub mod unloading;
 
@@ -30,17 +31,9 @@ pub use plm::unloading_rule::PlmUnloadingRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 pub use published::{LawError, Loading};
 use published::{MAX_CLIPPING, MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
+pub use recovery::{LoadedPoint, UnloadingRule};
 pub use surface::{LoadingHistory, Surface};
 pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
-
-/// How a contact unloads after loading beyond the elastic regime.
-#[derive(Debug, Clone)]
-pub enum UnloadingRule {
-    /// Along Hertz's curve, at any load.
-    Hertz,
-    PlmRule(Box<PlmUnloadingRule>),
-    Published(Box<PublishedRule>),
-}
 
 named_enum! {
     pub enum Branch {
@@ -62,17 +55,6 @@ pub struct Law {
     /// The range in which the loading holds.
     pub validity: Validity,
     pub unloading_rule: UnloadingRule,
-    /// The law at maximum compression, if it differs.
-    pub peak_law: Option<Box<PeakLaw>>,
-}
-
-/// The law at maximum compression of a metal that relaxes there (strain-rate dependence).
-#[derive(Debug, Clone)]
-pub struct PeakLaw {
-    /// In units of the yield point of this law.
-    law: Law,
-    /// r.
-    ratio: f64,
 }
 
 /// An unloading exponent that is larger than the requested one, because the requested one would recover more energy than was spent.
@@ -88,7 +70,7 @@ pub(crate) struct ExponentClamp {
 
 impl Law {
     pub fn new(loading: impl Into<Arc<LoadingCurve>>, validity: Validity, unloading_rule: UnloadingRule) -> Self {
-        Self { loading: loading.into(), validity, unloading_rule, peak_law: None }
+        Self { loading: loading.into(), validity, unloading_rule }
     }
 
     /// True if it is a pair of springs, which know no bodies: a contact of any width is allowed, and what stays is no dent.
@@ -115,36 +97,49 @@ impl Law {
         Self::new(curve, limits, UnloadingRule::Published(Box::new(PublishedRule { contact_radius, recovery })))
     }
 
-    /// The unloading of fresh surface from x; the last digit of x does not matter.
+    /// Fresh surface recovers the whole approach up to this x.
     #[inline(always)]
-    fn unloading_rule_at(&self, x: f64) -> &UnloadingRule {
-        if x <= self.validity.elastic_until * (1.0 + f64::EPSILON) {
-            &UnloadingRule::Hertz
-        } else {
-            &self.unloading_rule
+    pub(crate) fn recovers_fully_until(&self) -> f64 {
+        match &self.unloading_rule {
+            UnloadingRule::Relaxed(law) => law.elastic_until(),
+            _ => self.validity.elastic_until,
         }
     }
 
-    /// The unloading of fresh surface from a point (x, f) of the loading curve, after the loading work `spent`.
+    /// True if fresh surface that was loaded to x may keep a dent; the last digit of x does not matter.
     #[inline(always)]
-    fn unloading_from(&self, x: f64, force: f64, spent: f64) -> Unloading {
-        if let Some(unloading) = self.peak_unloading_at(x, force, || spent) {
-            return unloading;
-        }
-        match self.unloading_rule_at(x) {
-            UnloadingRule::Hertz => Unloading::power(ContactState { indentation: x, force, elastic_approach: x }, 1.5),
-            UnloadingRule::PlmRule(rule) => rule.unloading(rule.state(x, force), spent),
-            UnloadingRule::Published(rule) => rule.unloading(x, force, spent),
-        }
+    pub(crate) fn leaves_dent(&self, x: f64) -> bool {
+        x > self.recovers_fully_until() * (1.0 + f64::EPSILON)
+    }
+
+    /// The unloading of fresh surface from x.
+    #[inline(always)]
+    fn rule_at(&self, x: f64) -> &UnloadingRule {
+        if self.leaves_dent(x) { &self.unloading_rule } else { &UnloadingRule::Hertz }
+    }
+
+    /// The rule of unloading before a metal relaxes; for other laws the rule of unloading.
+    pub fn rule_while_loading(&self) -> &UnloadingRule {
+        self.unloading_rule.while_loading()
+    }
+
+    /// True if the force drops at maximum compression, where the metal relaxes.
+    pub(crate) fn relaxes(&self) -> bool {
+        matches!(self.unloading_rule, UnloadingRule::Relaxed(_))
+    }
+
+    /// The unloading branch from a point of the loading curve, or from a state that a contact remembers. If loading was elastic
+    /// (ε = x), n = 3/2 for every rule. The branch never recovers more than was spent.
+    #[inline(always)]
+    pub fn unload(&self, at: impl Into<LoadedPoint>) -> Unloading {
+        let at = at.into();
+        self.rule_at(at.indentation).unload(&self.loading, &at)
     }
 
     /// Elastic approach ε at a point (x, f) of the loading curve, the part of x that is recovered; 0 < ε ≤ x.
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        match self.unloading_rule_at(x) {
-            UnloadingRule::Hertz => x,
-            UnloadingRule::PlmRule(rule) => rule.elastic_approach(x, force),
-            UnloadingRule::Published(rule) => rule.unloading(x, force, self.loading.work(x)).peak.elastic_approach,
-        }
+        let is_elastic = x <= self.validity.elastic_until * (1.0 + f64::EPSILON);
+        if is_elastic { x } else { self.unloading_rule.elastic_approach(&self.loading, x, force) }
     }
 
     /// The state at x on the loading curve, from which unloading may begin.
@@ -153,48 +148,29 @@ impl Law {
         ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
     }
 
-    /// The unloading branch from a peak. If loading was elastic (ε = x), n = 3/2 for every rule. The branch never recovers more
-    /// than was spent (`unloading::allowed_exponent`).
-    pub fn unloading(&self, peak: ContactState) -> Unloading {
-        let spent = || self.loading.work(peak.indentation);
-        // the force of a memory is the force after the relaxation
-        if self.peak_law.is_some()
-            && let Some(unloading) =
-                self.peak_unloading_at(peak.indentation, self.loading.force(peak.indentation), spent)
-        {
-            return unloading;
-        }
-        match self.unloading_rule_at(peak.indentation) {
-            UnloadingRule::Hertz => Unloading::power(peak, 1.5),
-            UnloadingRule::PlmRule(rule) => rule.unloading(peak, spent()),
-            UnloadingRule::Published(rule) => rule.unloading(peak.indentation, peak.force, spent()),
-        }
-    }
-
     /// The range of x that the authors of the law state, if a plastic peak is outside of it.
     pub(crate) fn exceeded_fit_range(&self, peak: &ContactState) -> Option<(f64, f64)> {
         let x = peak.indentation;
-        self.validity.fitted_range.filter(|(from, to)| x > self.recovers_fully_until() && !(*from..=*to).contains(&x))
+        self.validity.fitted_range.filter(|(from, to)| self.leaves_dent(x) && !(*from..=*to).contains(&x))
     }
 
     /// The hardening of the yielding body, if it hardens.
     pub(crate) fn hardening(&self) -> Option<&plm::hardening::Hardening> {
-        if let UnloadingRule::PlmRule(rule) = &self.unloading_rule { rule.hardening.as_ref() } else { None }
+        if let UnloadingRule::PlmRule(rule) = self.rule_while_loading() { rule.hardening.as_ref() } else { None }
     }
 
     /// The exponents of this branch, if the requested exponent was raised: the requested one, the used one, and the gain of energy
     /// that this avoids.
     pub(crate) fn exponent_clamp(&self, unloading: &Unloading) -> Option<ExponentClamp> {
-        if let Some((law, own)) = self.at_peak(unloading) {
-            return law.exponent_clamp(&own);
-        }
         let (peak, used) = (&unloading.peak, unloading.exponent);
-        match self.unloading_rule_at(peak.indentation) {
+        match self.rule_at(peak.indentation) {
             UnloadingRule::PlmRule(rule) => {
-                let asked = rule.requested_exponent(peak);
+                let requested = rule.requested_exponent(peak);
                 // the energy of a branch is proportional to 1/(n + 1)
-                (used > asked).then(|| ExponentClamp { requested: asked, used, gain: (used - asked) / (asked + 1.0) })
+                let gain = (used - requested) / (requested + 1.0);
+                (used > requested).then_some(ExponentClamp { requested, used, gain })
             }
+            UnloadingRule::Relaxed(law) => law.exponent_clamp(unloading),
             _ => None,
         }
     }
@@ -206,25 +182,24 @@ impl Law {
     /// recover more energy than was spent, by more than [`MAX_CLIPPING`].
     #[inline]
     pub fn check(&self, unloading: &Unloading) -> Result<(), LawError> {
-        if let Some((law, own)) = self.at_peak(unloading) {
-            return law.check(&own);
-        }
         let ContactState { indentation, .. } = unloading.peak;
         let ratio = self.over_yield_indentation(indentation);
         let refused = |problem| Err(LawError::Range { ratio, problem });
-        if let Some(ExponentClamp { requested: asked, gain, .. }) =
-            self.exponent_clamp(unloading).filter(|raised| raised.gain > MAX_CLIPPING)
-        {
-            return Err(LawError::Exponent { asked, ratio, gain });
-        }
-        match self.unloading_rule_at(indentation) {
-            UnloadingRule::Published(rule) => {
-                if indentation > self.validity.max_indentation {
-                    return refused("outside the range of its loading formulas");
+        match self.rule_at(indentation) {
+            UnloadingRule::Hertz => Ok(()),
+            UnloadingRule::PlmRule(_) => match self.exponent_clamp(unloading) {
+                Some(ExponentClamp { requested: asked, gain, .. }) if gain > MAX_CLIPPING => {
+                    Err(LawError::Exponent { asked, ratio, gain })
                 }
+                _ => Ok(()),
+            },
+            UnloadingRule::Published(_) if indentation > self.validity.max_indentation => {
+                refused("outside the range of its loading formulas")
+            }
+            UnloadingRule::Published(rule) => {
                 rule.failure_reason(&unloading.peak, self.loading.work(indentation)).map_or(Ok(()), refused)
             }
-            _ => Ok(()),
+            UnloadingRule::Relaxed(law) => law.check(unloading),
         }
     }
 
@@ -238,13 +213,10 @@ impl Law {
     /// The radius of the PLM is within 6 % of finite elements up to a = 0.48 R. A mean pressure computed from it has twice the
     /// error, with the opposite sign.
     pub fn contact_radius(&self, peak: &ContactState) -> f64 {
-        if let Some(radius) = self.peak_contact_radius(peak) {
-            return radius;
-        }
-        match (&self.unloading_rule, self.unloading_rule_at(peak.indentation)) {
-            (UnloadingRule::PlmRule(rule), _) => rule.contact_radius(peak),
-            (_, UnloadingRule::Published(rule)) => (rule.contact_radius)(peak.indentation, peak.force),
-            _ => peak.force / peak.elastic_approach,
+        if self.leaves_dent(peak.indentation) {
+            self.unloading_rule.contact_radius(peak)
+        } else {
+            self.unloading_rule.elastic_contact_radius(peak)
         }
     }
 
@@ -254,14 +226,14 @@ impl Law {
     pub fn force_and_memory(&self, x: f64, memory: Option<ContactState>) -> (f64, Option<ContactState>) {
         match memory {
             _ if x.is_nan() => (f64::NAN, memory),
-            Some(peak) if x <= peak.indentation => (self.unloading(peak).force(x), memory),
+            Some(peak) if x <= peak.indentation => (self.unload(peak).force(x), memory),
             None if x <= 0.0 => (0.0, None),
             _ => {
                 let peak = self.loaded_state(x);
                 // a relaxed metal follows its branch until the branch meets the loading curve
-                let relaxed = memory.filter(|_| self.peak_law.is_some());
+                let relaxed = memory.filter(|_| self.relaxes());
                 let force_beyond = |old: &Unloading| old.to_piece().force_at_distance(x - old.peak.residual());
-                match relaxed.map(|old| force_beyond(&self.unloading(old))) {
+                match relaxed.map(|old| force_beyond(&self.unload(old))) {
                     Some(force) if force < peak.force => (force, memory),
                     _ => (peak.force, Some(peak)),
                 }

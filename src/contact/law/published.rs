@@ -229,7 +229,7 @@ impl PublishedRule {
 
     /// The branch from a point of the loading curve with the loading work `spent`.
     #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
-    pub(super) fn unloading(&self, indentation: f64, force: f64, spent: f64) -> Unloading {
+    pub(super) fn unload(&self, indentation: f64, force: f64, spent: f64) -> Unloading {
         let at = self.loaded_state(indentation, force, spent);
         at.clipped_unloading((self.recovery)(at)).0
     }

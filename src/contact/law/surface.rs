@@ -20,10 +20,11 @@
 use std::sync::Arc;
 
 use super::unloading::OLD_PEAK_ROUNDING;
-use super::{ContactState, Law, LawError, Unloading};
+use super::{ContactState, Law, LawError, LoadedPoint, Unloading};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::power::nan_max;
+use crate::numerics::root::bisect;
 
 /// The dent of a spot that was loaded before.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +39,7 @@ pub struct LoadingHistory {
 impl Law {
     /// The dent of a spot that was loaded to this peak.
     pub fn history_after(&self, peak: ContactState) -> LoadingHistory {
-        self.history_after_unloading(self.unloading(peak))
+        self.history_after_unloading(self.unload(peak))
     }
 
     /// The dent of a spot with this unloading branch, which ends on the loading curve.
@@ -46,8 +47,28 @@ impl Law {
         self.dented_with(unloading, unloading.peak.force, false)
     }
 
+    /// The dent with this unloading branch, which was made at another strain rate. Reloading follows the branch to its end, and then
+    /// the continuation of the branch until it meets this loading curve. If the branch ends above this loading curve, as after a
+    /// much faster impact, the force drops to the loading curve there.
+    pub(crate) fn dent_of_other_rate(&self, branch: &Unloading) -> LoadingHistory {
+        let (piece, old) = (branch.to_piece(), branch.peak);
+        let over = |recovered: f64| piece.force_at_distance(recovered) - self.loading.force(old.residual() + recovered);
+        if over(old.elastic_approach) >= 0.0 {
+            return self.dented_with(*branch, self.loading.force(old.indentation), true);
+        }
+        // a branch is steeper than any loading curve
+        let mut end = 2.0 * old.elastic_approach;
+        while over(end) < 0.0 && end.is_finite() {
+            end *= 2.0;
+        }
+        let (below, _) = bisect(old.elastic_approach, end, |recovered| over(recovered) < 0.0);
+        let force = piece.force_at_distance(below);
+        let met = ContactState { indentation: old.residual() + below, force, elastic_approach: below };
+        self.dented_with(branch.with_peak(met), force, true)
+    }
+
     /// Like [`Law::history_after_unloading`], but the loading curve behind the branch begins with this force.
-    pub(super) fn dented_with(&self, unloading: Unloading, force: f64, is_of_other_rate: bool) -> LoadingHistory {
+    fn dented_with(&self, unloading: Unloading, force: f64, is_of_other_rate: bool) -> LoadingHistory {
         let start = unloading.peak.indentation;
         let index = self.loading.index_at(start);
         let (cut, behind) = (&self.loading.pieces()[index], &self.loading.pieces()[index + 1..]);
@@ -59,6 +80,9 @@ impl Law {
         LoadingHistory { unloading, reloading_path: Arc::new(LoadingCurve::new(pieces)), is_of_other_rate }
     }
 }
+
+/// The reported peak force is lower than the force at the end of loading by this fraction of the drop.
+const UNREPORTED_STEP_SHARE: f64 = 0.8;
 
 /// A law, and the dent if it was loaded before.
 #[derive(Debug, Clone, Copy)]
@@ -113,7 +137,7 @@ impl<'a> Surface<'a> {
     /// True if an impact that turns at x does not change the surface: it turns at first yield at most, or on the branch.
     #[inline(always)]
     pub(crate) fn is_elastic_at(&self, x: f64) -> bool {
-        x <= self.reloading_branch().map_or_else(|| self.law.recovers_fully_until(), |branch| branch.peak.indentation)
+        self.reloading_branch().map_or_else(|| !self.law.leaves_dent(x), |branch| x <= branch.peak.indentation)
     }
 
     /// True if an impact that turns at this peak leaves a dent, or a deeper dent. A peak without a residual indentation leaves no dent.
@@ -204,30 +228,44 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The unloading branch from a peak. From a peak on the branch of a dent it is this branch.
-    pub fn unloading(&self, peak: ContactState) -> Unloading {
-        if let Some(branch) = self.reloading_branch_at(peak.indentation) {
-            return branch.with_peak(peak);
+    /// The unloading branch from a turning point at a distance from the start of a piece. On the branch of a dent it is this branch.
+    /// `work` is the work of loading of fresh surface, if it is known.
+    #[inline(always)]
+    pub(crate) fn unload(&self, index: usize, distance: f64, work: Option<f64>) -> Unloading {
+        let piece = self.piece(index);
+        let x = piece.start + distance;
+        match self.reloading_branch {
+            Some(branch) if index == 0 => branch.with_peak(branch.state_at(distance)),
+            Some(branch) if x <= branch.peak.indentation => *branch,
+            dent => {
+                let work = work.filter(|_| dent.is_none());
+                let at = LoadedPoint { indentation: x, force: piece.force_at(x), work, elastic_approach: None };
+                let unloading = self.law.unload(at);
+                if self.is_of_other_rate {
+                    unloading.in_dent(self.first_contact(), self.reloading_path.work(x))
+                } else {
+                    unloading
+                }
+            }
         }
-        let unloading = self.law.unloading(peak);
-        if self.is_of_other_rate {
-            return unloading.in_dent(self.first_contact(), self.reloading_path.work(peak.indentation));
-        }
-        unloading
     }
 
-    /// The unloading branch from a turning point at a distance from the start of a piece, for an impact with this kinetic energy. Under
-    /// a weight the branch follows from the position.
-    #[inline(always)]
-    pub(crate) fn unloading_from_turn(&self, index: usize, distance: f64, kinetic: Option<f64>) -> Unloading {
-        match (self.reloading_branch, kinetic) {
-            (None, Some(spent)) => {
-                let piece = self.piece(index);
-                let x = piece.start + distance;
-                self.law.unloading_from(x, piece.force_at(x), spent)
+    /// The piece at a distance from first contact, and the distance from the start of this piece.
+    pub(crate) fn place_at(&self, distance: f64) -> (usize, f64) {
+        match self.reloading_branch {
+            Some(branch) if distance <= branch.peak.elastic_approach => (0, distance),
+            _ => {
+                let x = self.first_contact() + distance;
+                let index = self.reloading_path.index_at(x);
+                (index, x - self.piece(index).start)
             }
-            _ => self.unloading(self.state_at(index, distance)),
         }
+    }
+
+    /// The unloading branch from a distance from first contact.
+    pub fn unload_at(&self, distance: f64) -> Unloading {
+        let (index, distance) = self.place_at(distance);
+        self.unload(index, distance, None)
     }
 
     /// Contact radius a/a_L at a peak, see [`Law::contact_radius`]. On the branch of a dent, which keeps its shape, the radius is
@@ -249,7 +287,7 @@ impl<'a> Surface<'a> {
         let Some(law) = self.loading_law_at(unloading.peak.indentation) else { return Ok(()) };
         // the law is checked for the branch on fresh surface, not for the branch of the dent
         if self.is_of_other_rate {
-            return law.check(&law.unloading(law.loaded_state(unloading.peak.indentation)));
+            return law.check(&law.unload(law.loaded_state(unloading.peak.indentation)));
         }
         law.check(unloading)
     }
@@ -276,5 +314,17 @@ impl<'a> Surface<'a> {
         } else {
             self.reloading_path.work(x) - unloading.recoverable_energy()
         }
+    }
+
+    /// The drop of the force where an impact turns into this branch; 0 in a dent.
+    pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
+        self.loading_law_at(unloading.peak.indentation).map_or(0.0, |law| law.force_drop_at_peak(unloading))
+    }
+
+    /// The reported peak force: the relaxed force and a fifth of the drop, as in the finite elements. With damping
+    /// `largest` is the largest force of loading.
+    pub(crate) fn reported_force(&self, unloading: &Unloading, largest: Option<f64>) -> f64 {
+        let step = self.force_drop_at_peak(unloading);
+        largest.unwrap_or(unloading.peak.force + step) - UNREPORTED_STEP_SHARE * step
     }
 }

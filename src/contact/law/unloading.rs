@@ -36,10 +36,8 @@ impl ContactState {
 pub enum UnloadingShape {
     /// f = f_m (d/ε_m)^n, with this n.
     Power(f64),
-    /// f = (2 f_m/π)(θ − sin θ cos θ), 1 − cos θ = d/ε_m: unloading from uniform pressure (Mesarovic and Johnson 2000).
-    UniformPressure,
-    /// f = f_m (x^1.5 − x_r^1.5)/(x_m^1.5 − x_r^1.5): the Hertz curve, moved down (Yigit and Christoforou 1994).
-    ShiftedHertz,
+    /// A published curve that is no power law.
+    Curve(UnloadingCurveKind),
 }
 
 /// Which exponent n the unloading branch has.
@@ -114,18 +112,10 @@ impl Unloading {
         match shape {
             UnloadingShape::Power(exponent) => Self::power(peak, exponent),
             // not moved at all: Hertz itself
-            UnloadingShape::ShiftedHertz if peak.residual() <= 0.0 => Self::power(peak, 1.5),
-            UnloadingShape::UniformPressure => {
-                let form = UnloadingCurveKind::UniformPressure { force: peak.force };
-                let curve = UnloadingCurve { form, length: peak.elastic_approach };
-                // the power law that gives back as much
-                Self { peak, exponent: 0.75 * PI - 1.0, curve: Some(curve) }
-            }
-            UnloadingShape::ShiftedHertz => {
-                let residual = peak.residual().max(0.0);
-                let stiffness = peak.force / (power(peak.indentation, 1.5) - power(residual, 1.5));
-                let form = UnloadingCurveKind::ShiftedHertz { stiffness, offset: residual };
-                Self::with_curve(peak, UnloadingCurve { form, length: peak.elastic_approach })
+            UnloadingShape::Curve(UnloadingCurveKind::ShiftedHertz) if peak.residual() <= 0.0 => Self::power(peak, 1.5),
+            UnloadingShape::Curve(kind) => {
+                let ContactState { force, elastic_approach: length, .. } = peak;
+                Self::with_curve(peak, UnloadingCurve { kind, length, force, residual: peak.residual().max(0.0) })
             }
         }
     }
@@ -136,10 +126,16 @@ impl Unloading {
         Self { peak, exponent, curve: None }
     }
 
-    /// A branch along this curve, with the exponent f_m ε_m over its energy, less 1.
+    /// A branch along this curve. From its whole peak, the branch of uniform pressure has the energy of n = 3π/4 − 1.
     fn with_curve(peak: ContactState, curve: UnloadingCurve) -> Self {
-        let (_, energy) = curve.derivatives_and_work(peak.elastic_approach);
-        Self { peak, exponent: peak.force * peak.elastic_approach / energy - 1.0, curve: Some(curve) }
+        let is_whole = curve.length == peak.elastic_approach;
+        let exponent = if curve.kind == UnloadingCurveKind::UniformPressure && is_whole {
+            0.75 * PI - 1.0
+        } else {
+            let (_, energy) = curve.derivatives_and_work(peak.elastic_approach);
+            peak.force * peak.elastic_approach / energy - 1.0
+        };
+        Self { peak, exponent, curve: Some(curve) }
     }
 
     /// The time from the peak to x_r, times the speed there over ε_m.
@@ -156,7 +152,7 @@ impl Unloading {
         const UNIFORM: f64 = 1.493_167_350_244_138_5;
         let approach = self.peak.elastic_approach;
         // from the whole peak, and not from a lower point of its branch
-        if matches!(curve.form, UnloadingCurveKind::UniformPressure { .. }) && curve.length == approach {
+        if curve.kind == UnloadingCurveKind::UniformPressure && curve.length == approach {
             return UNIFORM;
         }
         curve.travel_time(approach, approach, 0.0, 1.0) * (2.0 * self.recoverable_energy()).sqrt() / approach
@@ -171,6 +167,34 @@ impl Unloading {
             Some(_) if peak.indentation == self.peak.indentation => *self,
             Some(curve) => Self::with_curve(peak, curve),
         }
+    }
+
+    /// This branch in a dent with that residual indentation, in which the impact has spent this work: the dent becomes no
+    /// shallower, and the branch recovers no more than was spent.
+    pub(super) fn in_dent(&self, residual: f64, spent: f64) -> Self {
+        let elastic_approach = self.peak.elastic_approach.min(self.peak.indentation - residual);
+        let peak = ContactState { elastic_approach, ..self.peak };
+        let exponent = allowed_exponent(spent, &peak, self.exponent);
+        let is_same = elastic_approach == self.peak.elastic_approach && exponent == self.exponent;
+        if is_same { *self } else { Self::power(peak, exponent) }
+    }
+
+    /// The branch in other units: lengths times `length`, forces times `force`.
+    #[must_use]
+    pub(crate) fn in_units(&self, length: f64, force: f64) -> Self {
+        let ContactState { indentation, force: of_peak, elastic_approach } = self.peak;
+        let peak = ContactState {
+            indentation: indentation * length,
+            force: of_peak * force,
+            elastic_approach: elastic_approach * length,
+        };
+        let curve = self.curve.map(|curve| UnloadingCurve {
+            length: curve.length * length,
+            force: curve.force * force,
+            residual: curve.residual * length,
+            ..curve
+        });
+        Self { peak, exponent: self.exponent, curve }
     }
 
     /// The state at a distance from x_r, at most the peak. The distance has digits that x has lost.

@@ -66,13 +66,13 @@ impl Contact {
         if indentation == memory.indentation && indentation > 0.0 {
             return memory.force;
         }
-        let before = memory.to_state(scales.length, scales.force);
-        let (force, after) = law.force_and_memory(indentation / scales.length, before);
+        let before = memory.to_state(scales.units.length, scales.units.force);
+        let (force, after) = law.force_and_memory(indentation / scales.units.length, before);
         if let Some(peak) = after.filter(|_| after != before) {
             let reached = Memory {
                 indentation,
-                force: peak.force * scales.force,
-                elastic_approach: peak.elastic_approach * scales.length,
+                force: peak.force * scales.units.force,
+                elastic_approach: peak.elastic_approach * scales.units.length,
             };
             if !reached.is_valid_at(indentation) {
                 return f64::NAN;
@@ -82,7 +82,7 @@ impl Contact {
                 *memory = reached;
             }
         }
-        force * scales.force
+        force * scales.units.force
     }
 
     /// True if a path of this contact leads to this memory: it lies on the loading curve, within the rounding of a text file with
@@ -106,15 +106,15 @@ impl Contact {
             return ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
         }
         let Self { scales, law, .. } = self;
-        let Some(peak) = memory.to_state(scales.length, scales.force) else {
+        let Some(peak) = memory.to_state(scales.units.length, scales.units.force) else {
             // an elastic contact follows Hertz
             return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
         };
-        let unloading = law.unloading(peak);
-        let stored = unloading.stored_energy_at(indentation / scales.length - peak.residual());
+        let unloading = law.unload(peak);
+        let stored = unloading.stored_energy_at(indentation / scales.units.length - peak.residual());
         ContactEnergy {
-            stored: stored * scales.energy(),
-            plastic: Surface::from(law).plastic_work(&unloading) * scales.energy(),
+            stored: stored * scales.units.energy(),
+            plastic: Surface::from(law).plastic_work(&unloading) * scales.units.energy(),
         }
     }
 
@@ -125,13 +125,13 @@ impl Contact {
             return f64::NAN;
         }
         let Self { scales, law, .. } = self;
-        let x = indentation / scales.length;
-        let slope = match memory.to_state(scales.length, scales.force) {
+        let x = indentation / scales.units.length;
+        let slope = match memory.to_state(scales.units.length, scales.units.force) {
             Some(peak) if x <= peak.residual() => 0.0,
-            Some(peak) if x <= peak.indentation => law.unloading(peak).slope_at(x - peak.residual()),
+            Some(peak) if x <= peak.indentation => law.unload(peak).slope_at(x - peak.residual()),
             None if x <= 0.0 => 0.0,
             _ => law.loading.pieces()[law.loading.index_at(x)].slope_at(x),
         };
-        slope * (scales.force / scales.length)
+        slope * (scales.units.force / scales.units.length)
     }
 }

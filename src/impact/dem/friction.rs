@@ -24,17 +24,17 @@ impl Contact {
     /// Hertz with the force and the elastic approach of the law; during unloading it is proportional to the stiffness.
     fn friction_radius(&self, indentation: f64, memory: &Memory) -> f64 {
         let Self { scales, law, .. } = self;
-        let Some(peak) = memory.to_state(scales.length, scales.force) else {
+        let Some(peak) = memory.to_state(scales.units.length, scales.units.force) else {
             // an elastic contact follows Hertz
             return (self.pair().radius * indentation.max(0.0)).sqrt();
         };
-        let recovered = indentation / scales.length - peak.residual();
+        let recovered = indentation / scales.units.length - peak.residual();
         let friction_radius = if recovered >= peak.elastic_approach {
             peak.force / peak.elastic_approach
         } else {
-            law.unloading(peak).radius_ratio(recovered)
+            law.unload(peak).radius_ratio(recovered)
         };
-        scales.contact_radius * friction_radius
+        scales.units.contact_radius * friction_radius
     }
 
     /// Friction on the sphere \[N\], which is also the history of the contact; zero for a fresh one.

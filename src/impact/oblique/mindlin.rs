@@ -316,33 +316,4 @@ impl NormalMotion<'_> {
         }
         Ok(SlipResult { ratio: state.speed / start, error: sum, is_sliding, end: last, steps })
     }
-
-    /// σ_1/σ_0 with one spring in place of all, as the contact of a DEM code carries it (`mindlin_rescale/force` of LAMMPS;
-    /// Thornton, Cummins and Cleary 2013): during unloading the force is first scaled with the radius. Velocity Verlet in 1000
-    /// steps a leg.
-    ///
-    /// ```text
-    /// T' = −(3/2) α σ,   |T| ≤ f
-    /// ```
-    pub fn single_spring_ratio(&self, sigma: f64, chi: f64) -> f64 {
-        const STEPS: u32 = 1000;
-        let rate = 2.0 * FORCE_FACTOR * chi;
-        let (mut at, mut force, mut before, mut begun) = (sigma, 0.0, 0.0, 0.0);
-        for end in self.durations {
-            let dt = (end - begun) / f64::from(STEPS);
-            for k in 1..=STEPS {
-                let NormalState { square, coulomb_limit: stop, .. } =
-                    self.state_at(if k == STEPS { end } else { begun + dt * f64::from(k) });
-                let after = square.sqrt();
-                let half = at + 0.5 * dt * rate * force;
-                let kept: f64 = if after < before { force * after / before } else { force };
-                let limit = stop / 1.5 * after;
-                force = (kept - 0.75 * (before + after) * half * dt).clamp(-limit, limit);
-                at = half + 0.5 * dt * rate * force;
-                before = after;
-            }
-            begun = end;
-        }
-        at / sigma
-    }
 }

@@ -39,7 +39,7 @@ use super::solve::outcome::{ImpactEnd, ScaledResult};
 use crate::contact::body::{InvalidInput, Material, OutOfFloatRange, Support};
 use crate::contact::law::UnloadingRule;
 use crate::numerics::functions::atan2;
-pub use approach::{Approach, Incidence};
+pub use approach::Approach;
 use mindlin::SlipResult;
 use normal_motion::NormalMotion;
 
@@ -152,9 +152,9 @@ pub(super) struct ObliqueImpact<'a> {
     contact: &'a Contact,
     case: &'a ScaledImpact<'a>,
     outcome: &'a ScaledResult,
-    incidence: Incidence,
-    /// v_n, v_t.
-    speeds: [f64; 2],
+    approach: Approach,
+    /// μ.
+    friction: f64,
     /// s_0.
     slip: f64,
     /// ψ_1.
@@ -187,7 +187,7 @@ impl<'a> ObliqueImpact<'a> {
         outcome: &'a ScaledResult,
         approach: Approach,
     ) -> Result<Option<Self>, ImpactError> {
-        let Some(incidence) = approach.incidence.filter(|_| outcome.end == ImpactEnd::Separated) else {
+        let Some(friction) = approach.friction.filter(|_| outcome.end == ImpactEnd::Separated) else {
             return Ok(None);
         };
         if matches!(contact.half_space().support, Support::Free(_)) {
@@ -196,15 +196,14 @@ impl<'a> ObliqueImpact<'a> {
         if let Some(moment) = contact.moment_of_inertia() {
             InvalidInput::check("moment of inertia (kg m^2)", moment, moment > 0.0, "it must be a positive number")?;
         }
-        let friction = incidence.friction;
         InvalidInput::check("coefficient of friction", friction, friction >= 0.0, "it must be 0 or a positive number")?;
-        let speeds = approach.components();
-        let rolls = contact.sphere().radius * incidence.spin;
+        let Approach { normal, along, spin, .. } = approach;
+        let rolls = contact.sphere().radius * spin;
         // a sphere rolls if the difference is rounding
-        let slip = speeds[1] - rolls;
+        let slip = along - rolls;
         let slip = if slip.abs() <= 4.0 * f64::EPSILON * rolls.abs() { 0.0 } else { slip };
-        let psi = if slip == 0.0 { 0.0 } else { 4.0 * contact.shear_ratio() * slip / (incidence.friction * speeds[0]) };
-        Ok(Some(Self { contact, case, outcome, incidence, speeds, slip, psi, chi: contact.chi() }))
+        let psi = if slip == 0.0 { 0.0 } else { 4.0 * contact.shear_ratio() * slip / (friction * normal) };
+        Ok(Some(Self { contact, case, outcome, approach, friction, slip, psi, chi: contact.chi() }))
     }
 
     /// The normal impulse over m v_n: 1 + e, and under gravity also the impulse of the weight.
@@ -229,12 +228,12 @@ impl<'a> ObliqueImpact<'a> {
     /// stops rise by at most 1.3. The stops of other laws may jump; these laws are integrated.
     fn slides_throughout(&self) -> bool {
         let ScaledResult { unloading, restitution: e, .. } = self.outcome;
-        let rate = match self.case.ground.law.unloading_rule {
+        let rate = match self.case.ground.law.rule_while_loading() {
             _ if self.psi.is_infinite() => 0.0,
             _ if !self.case.forces.is_none() => return false,
             UnloadingRule::Hertz => 1.0,
             UnloadingRule::PlmRule(_) => 2.0,
-            UnloadingRule::Published(_) => return false,
+            UnloadingRule::Published(_) | UnloadingRule::Relaxed(_) => return false,
         };
         let end = 2.0 * self.chi * (1.0 + e) - e * (2.0 * unloading.exponent - 2.0).min(1.0);
         self.psi.abs() >= end.max(2.0 * self.chi + rate)
@@ -286,7 +285,7 @@ impl<'a> ObliqueImpact<'a> {
     }
 
     pub(super) fn rebound(&self, slip: &SlipResult) -> Result<Rebound, OutOfFloatRange> {
-        let [normal, tangential] = self.speeds;
+        let Approach { normal, along: tangential, .. } = self.approach;
         let (rebound, _) = self.contact.speeds_after(normal, self.outcome.restitution);
         let [tangential_speed, spin] = self.tangential_speed_and_spin(self.slip * slip.ratio);
         let lost = self.friction_loss(slip);
@@ -305,7 +304,7 @@ impl<'a> ObliqueImpact<'a> {
             tangential_restitution: tangential_speed / tangential,
             contact_point_restitution: if is_slipping { -slip.ratio } else { f64::NAN },
             impulse_ratio: if slip.is_sliding && is_slipping {
-                self.incidence.friction.copysign(self.slip)
+                self.friction.copysign(self.slip)
             } else {
                 self.slip * (1.0 - slip.ratio) / (self.contact.slip_factor() * self.impulse() * normal)
             },
@@ -329,7 +328,7 @@ impl<'a> ObliqueImpact<'a> {
         let moment = self.contact.moment_of_inertia().unwrap_or_else(of_solid);
         let energy = |speed: f64, spin: f64| 0.5 * (mass * speed * speed + moment * spin * spin);
         let [speed, spin] = self.tangential_speed_and_spin(self.slip * slip.ratio);
-        let (before, spin_before) = (self.speeds[1], self.incidence.spin);
+        let Approach { along: before, spin: spin_before, .. } = self.approach;
         let parts = [mass * radius * (speed - before), moment * (spin - spin_before)];
         let of_target = self.target_motion(self.slip * slip.ratio).zip(self.contact.target_mass());
         let of_target = of_target.map_or(0.0, |([speed, spin], mass)| {
@@ -349,8 +348,8 @@ impl<'a> ObliqueImpact<'a> {
     fn tangential_speed_and_spin(&self, slip: f64) -> [f64; 2] {
         let share = self.contact.reduced_mass() / self.contact.mass();
         let change = share * ((slip - self.slip) / self.contact.slip_factor());
-        let spin = self.incidence.spin - self.contact.spin_factor() * change / self.contact.sphere().radius;
-        [self.speeds[1] + change, spin]
+        let spin = self.approach.spin - self.contact.spin_factor() * change / self.contact.sphere().radius;
+        [self.approach.along + change, spin]
     }
 
     /// Tangential speed and spin of a second ball at this slip speed.
@@ -362,20 +361,20 @@ impl<'a> ObliqueImpact<'a> {
 
     /// Friction at a time \[s\], for this speed of the sphere towards the half-space and this contact force. SI units.
     pub(super) fn friction_at(&self, slip: &SlipResult, time: f64, speed: f64, force: f64) -> FrictionState {
-        let (mu, scales) = (self.incidence.friction, &self.case.scales);
+        let (mu, scales) = (self.friction, &self.case.scales);
         let direction = self.slip.signum();
         let (slip_speed, friction_force) = match () {
             () if self.slip == 0.0 => (0.0, 0.0),
             () if slip.steps.is_empty() => {
-                let slowed = self.contact.slip_factor() * mu * (self.speeds[0] - speed);
+                let slowed = self.contact.slip_factor() * mu * (self.approach.normal - speed);
                 (self.slip - direction * slowed, -direction * mu * force)
             }
             () if time >= (1.0 - 1e-8) * slip.end * scales.time() => (self.slip * slip.ratio, 0.0),
             () => {
-                let impulse = (self.speeds[0] - speed) / scales.speed / FORCE_FACTOR
+                let impulse = (self.approach.normal - speed) / scales.speed / FORCE_FACTOR
                     + self.case.forces.weight * time / scales.time();
-                let [share, of_force] = slip.slip_and_force(time / scales.time(), force / scales.force, impulse);
-                (share * self.slip, direction * mu * scales.force * of_force)
+                let [share, of_force] = slip.slip_and_force(time / scales.time(), force / scales.units.force, impulse);
+                (share * self.slip, direction * mu * scales.units.force * of_force)
             }
         };
         let [tangential_speed, spin] = self.tangential_speed_and_spin(slip_speed);

@@ -43,7 +43,7 @@ impl<'a> NormalMotion<'a> {
         let track = recorder.into_motion(ground, outcome.unloading, forces.damping);
         let durations = [outcome.loading_time, outcome.contact_time];
         let is_viscous = forces.damping.viscous != 0.0;
-        let is_published = matches!(ground.law.unloading_rule, UnloadingRule::Published(_));
+        let is_published = matches!(ground.law.rule_while_loading(), UnloadingRule::Published(_));
         let is_smooth_at_touch = !is_published || ground.elastic_until() > 0.0;
         let ends = track.piece_end_times().collect();
         let (branch, peak) = (outcome.unloading.to_piece(), outcome.unloading.peak);
@@ -86,6 +86,17 @@ impl<'a> NormalMotion<'a> {
         static ELASTIC: LazyLock<Result<NormalMotion, IntegrationError>> =
             LazyLock::new(|| NormalMotion::new(hertz_law(), 1.0, &ScaledForces::NONE));
         ELASTIC.as_ref().map_err(Clone::clone)
+    }
+
+    /// The times at which compression and the contact end.
+    pub(crate) fn leg_ends(&self) -> [f64; 2] {
+        self.durations
+    }
+
+    /// α and the contact force at a time.
+    pub(crate) fn radius_and_force(&self, time: f64) -> [f64; 2] {
+        let state = self.state_at(time);
+        [state.square.sqrt(), state.force()]
     }
 
     /// Rim and stops at a time. The friction is limited by the whole contact force, damping included.

@@ -246,8 +246,8 @@ impl Contact {
         ground: Surface,
         peak: &ContactState,
     ) -> Result<f64, ImpactError> {
-        let (indentation, radius) = (peak.indentation * scales.length, self.pair.smaller_radius);
-        let contact_radius = scales.contact_radius * ground.contact_radius(peak);
+        let (indentation, radius) = (peak.indentation * scales.units.length, self.pair.smaller_radius);
+        let contact_radius = scales.units.contact_radius * ground.contact_radius(peak);
         // a spring has no geometry, but its sphere has a radius
         let is_too_wide = contact_radius > radius && !ground.law.is_spring();
         if indentation > radius || is_too_wide {
@@ -305,7 +305,7 @@ impl Contact {
     /// pressure of a law at first yield may be another than that of von Mises for the yield strength.
     pub fn reaches_first_yield(&self) -> bool {
         let until = self.law.validity.elastic_until;
-        until.is_infinite() || self.scales.contact_radius * until.sqrt() < self.pair.smaller_radius
+        until.is_infinite() || self.scales.units.contact_radius * until.sqrt() < self.pair.smaller_radius
     }
 
     /// True if the law is a pair of springs, which leave no dent.
@@ -317,6 +317,6 @@ impl Contact {
     pub fn yield_indentation_and_force(&self) -> Option<(f64, f64)> {
         self.yield_speed()?;
         let until = self.law.validity.elastic_until;
-        Some((self.scales.length * until, self.scales.force * crate::numerics::power::power(until, 1.5)))
+        Some((self.scales.units.length * until, self.scales.units.force * crate::numerics::power::power(until, 1.5)))
     }
 }

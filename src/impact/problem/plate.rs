@@ -129,8 +129,9 @@ impl ContactPlate {
         let mobility = 12.0_f64.sqrt() / 8.0 / (modulus * density).sqrt() / plate.thickness / plate.thickness;
         let under = Self { plate, mass, wave_speed: (modulus / density).sqrt(), mobility };
         // straight unloading is an oscillation of stiffness s that Y damps: critically where Y² s m = 4
-        let unloading = law.unloading(law.loaded_state(1.0));
-        let square = mobility * mobility * (unloading.power_stiffness() * scales.force / scales.length) * mass;
+        let unloading = law.unload(law.loaded_state(1.0));
+        let square =
+            mobility * mobility * (unloading.power_stiffness() * scales.units.force / scales.units.length) * mass;
         if unloading.exponent == 1.0 && square >= 4.0 {
             return Err(PlateError::NeverEnds { least: plate.thickness * (0.25 * square).sqrt().sqrt() });
         }
@@ -163,6 +164,11 @@ impl ContactPlate {
             PlateTheory::Zener => thin,
             PlateTheory::Thick => thin * (1.0 + 1.86 / wave_transits),
         };
-        Ok(ScaledPlate { plate: self, mobility: mobility * scales.force / scales.speed, zener_number, wave_transits })
+        Ok(ScaledPlate {
+            plate: self,
+            mobility: mobility * scales.units.force / scales.speed,
+            zener_number,
+            wave_transits,
+        })
     }
 }

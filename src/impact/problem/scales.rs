@@ -4,15 +4,28 @@
 //! every sphere. L, Φ, V are the yield indentation, force and speed. An impact that stays elastic uses its Hertz peak and its speed
 //! instead, so that the slowest impact is no closer to underflow than the fastest.
 
-use std::ops::Deref;
-
 use crate::contact::body::{OutOfFloatRange, finite_positive};
 use crate::contact::pair::Pair;
 use crate::numerics::functions::pow;
 use crate::numerics::power::power_turning_distance;
 
-/// c of x'' = −c f.
+/// c of x'' = −c f. Every other factor of the dimensionless motion follows from it.
 pub const FORCE_FACTOR: f64 = 1.25;
+
+/// √c, so that ω = √c √s on a straight piece of slope s.
+pub(in crate::impact) const SQRT_FORCE_FACTOR: f64 = 1.118_033_988_749_895;
+
+/// The energy u²/(2c) of a dimensionless speed u, in units of Φ L.
+#[inline(always)]
+pub(in crate::impact) const fn kinetic_energy(speed: f64) -> f64 {
+    0.5 / FORCE_FACTOR * speed * speed
+}
+
+/// The dimensionless speed √(2c E) of an energy E ≥ 0 in units of Φ L.
+#[inline(always)]
+pub(in crate::impact) fn speed_at_energy(energy: f64) -> f64 {
+    (2.0 * FORCE_FACTOR * energy).sqrt()
+}
 
 /// The units of a contact, with or without a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +54,7 @@ impl Units {
     }
 }
 
-/// The units of length, force and speed of one impact. It derefs to the units of the contact, as in `scales.length`.
+/// The units of length, force and speed of one impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scales {
     pub units: Units,
@@ -49,20 +62,11 @@ pub struct Scales {
     pub speed: f64,
 }
 
-impl Deref for Scales {
-    type Target = Units;
-
-    #[inline]
-    fn deref(&self) -> &Units {
-        &self.units
-    }
-}
-
 impl Scales {
-    /// The units of a pair, with the speed at which this mass \[kg\] has the energy (2/5) Φ L: v_Y for bodies that yield.
+    /// The units of a pair, with the speed at which this mass \[kg\] has the energy Φ L/(2c): v_Y for bodies that yield.
     pub(crate) fn from_pair(pair: &Pair, mass: f64) -> Result<Self, OutOfFloatRange> {
         let units = Units::from_pair(pair);
-        let speed = (0.8 * (units.force / mass) * units.length).sqrt();
+        let speed = (1.0 / FORCE_FACTOR * (units.force / mass) * units.length).sqrt();
         let speed = if pair.yield_point.is_some() { finite_positive("yield speed (m/s)", speed)? } else { speed };
         Ok(Self { units, speed })
     }
@@ -74,7 +78,7 @@ impl Scales {
     /// [`OutOfFloatRange`] if indentation, force or kinetic energy underflow or overflow.
     pub(crate) fn from_hertz_impact(pair: &Pair, mass: f64, speed: f64, gravity: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
-        let (square, per_stiffness) = (speed * speed, 1.25 * mass / stiffness);
+        let (square, per_stiffness) = (speed * speed, FORCE_FACTOR * mass / stiffness);
         let power = per_stiffness * square;
         let length = match gravity {
             // the root leaves the range of doubles only if the kinetic energy does
@@ -91,6 +95,6 @@ impl Scales {
 
     /// L/V \[s\].
     pub fn time(&self) -> f64 {
-        self.length / self.speed
+        self.units.length / self.speed
     }
 }

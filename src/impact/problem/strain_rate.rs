@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 use super::contact::{Contact, RateDependence, StrainRateResult};
 use super::error::ImpactError;
-use super::scales::Scales;
+use super::scales::{Scales, kinetic_energy};
 use crate::contact::body::OutOfFloatRange;
 use crate::contact::law::{LawChoice, Surface, YieldingPair};
 use crate::contact::pair::YieldPartition;
@@ -134,8 +134,8 @@ impl Contact {
         let deepest = |contact: &Self, scales: &Scales| {
             let q = speed / scales.speed;
             let ground = Surface::from(&contact.law);
-            let (last, distance) = ground.turning_point(0.4 * q * q, 0.0);
-            (ground.piece(last).start + distance) * scales.length
+            let (last, distance) = ground.turning_point(kinetic_energy(q), 0.0);
+            (ground.piece(last).start + distance) * scales.units.length
         };
         if factor == 1.0 {
             return Ok(deepest(self, &self.scales));

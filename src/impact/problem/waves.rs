@@ -12,7 +12,7 @@
 //! under a normal load; Hunter (1957), J. Mech. Phys. Solids 5, 162-171, for the loss of an elastic impact, which grows as
 //! v^(3/5). Finite elements of whole impacts radiate 1.00 to 1.07 times this.
 
-use super::scales::{FORCE_FACTOR, Scales};
+use super::scales::{FORCE_FACTOR, SQRT_FORCE_FACTOR, Scales, speed_at_energy};
 use crate::contact::body::{HalfSpace, OutOfFloatRange, finite_positive};
 use crate::contact::law::{Surface, Unloading};
 use crate::numerics::curve::piece::{Piece, Shape};
@@ -52,12 +52,13 @@ impl Waves {
         let (peak, branch) = (unloading.peak.indentation, unloading.to_piece());
         let of_loading = integral(&ground.reloading_path.pieces()[..=ground.reloading_path.index_at(peak)], peak);
         let integral = of_loading + integral(&[branch], peak);
-        // ½ m v² = (2/5) q² Φ L
+        // over the energy of the speed q
         let ratio = scales.speed / speed;
-        let fraction = 2.5
+        let fraction = 2.0
+            * FORCE_FACTOR
             * integral
-            * (self.coefficient * (scales.force / scales.length))
-            * (scales.speed / scales.length)
+            * (self.coefficient * (scales.units.force / scales.units.length))
+            * (scales.speed / scales.units.length)
             * ratio
             * ratio;
         if fraction.is_finite() {
@@ -76,7 +77,7 @@ pub fn restitution_with_waves(restitution: f64, loss_fraction: f64) -> f64 {
 /// ∫ f'² |u| dx along these pieces to a turning point at x = `turn`, or back from it.
 fn integral(pieces: &[Piece], turn: f64) -> f64 {
     let most = pieces.last().map_or(0.0, |last| last.work_at(turn));
-    let speed_at = |work: f64| (2.0 * FORCE_FACTOR * (most - work)).max(0.0).sqrt();
+    let speed_at = |work: f64| speed_at_energy((most - work).max(0.0));
     let mut integral = 0.0;
     let mut entry = speed_at(0.0);
     for (i, piece) in pieces.iter().enumerate() {
@@ -100,7 +101,7 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
 /// From rest at a force f_m along f = f_m (d/ε)^n to d = 0, or the other way:
 /// n² (f_m²/ε) u_0 B((2n − 1)/(n + 1), 3/2)/(n + 1) with u_0² = 2c f_m ε/(n + 1).
 fn power_integral(force: f64, length: f64, n: f64) -> f64 {
-    let fastest = (2.0 * FORCE_FACTOR * force * length / (n + 1.0)).sqrt();
+    let fastest = speed_at_energy(force * length / (n + 1.0));
     let shape = if n == 1.5 { HERTZ_FACTOR } else { n * n / (n + 1.0) * beta((2.0 * n - 1.0) / (n + 1.0)) };
     shape * (force * force / length) * fastest
 }
@@ -115,14 +116,15 @@ fn beta(a: f64) -> f64 {
     GAMMA * gamma(a) / gamma(a + 1.5)
 }
 
-/// On a straight piece u² + (5/4) f²/s = u² + g² is constant, so the integral s ∫ u df is a sector of an ellipse:
-/// s^(3/2)/√5 [g u + (u² + g²) θ], tan θ = g/u.
+/// On a straight piece u² + c f²/s = u² + g² is constant, so the integral s ∫ u df is a sector of an ellipse:
+/// s^(3/2)/(2√c) [g u + (u² + g²) θ], tan θ = g/u.
 fn straight_integral(slope: f64, to_force: f64, from_force: f64, entry: f64, exit: f64) -> f64 {
     let scale = (FORCE_FACTOR / slope).sqrt();
     let (from, to) = (scale * from_force, scale * to_force);
     // the angle between the two states, without the difference of two nearly equal ones
     let angle = atan2(to * entry - from * exit, entry * exit + from * to);
-    slope * slope.sqrt() / 5f64.sqrt() * (to * exit - from * entry + (entry * entry + from * from) * angle)
+    slope * slope.sqrt() / (2.0 * SQRT_FORCE_FACTOR)
+        * (to * exit - from * entry + (entry * entry + from * from) * angle)
 }
 
 /// On any piece from its start to `end`, with u from the remaining work.

@@ -3,7 +3,7 @@
 use crate::contact::law::{Branch, ContactState};
 use crate::impact::oblique::FrictionState;
 use crate::impact::problem::contact::Contact;
-use crate::impact::problem::scales::FORCE_FACTOR;
+use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy};
 use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
 use crate::impact::solve::recorder::{Event, TracePoint};
@@ -51,14 +51,14 @@ pub(in crate::impact) struct EnergyBalance<'a> {
 impl<'a> EnergyBalance<'a> {
     pub(in crate::impact) fn new(contact: &'a Contact, case: &'a ScaledImpact, outcome: &'a ScaledResult) -> Self {
         let input_energy = case.ground.plastic_work_unrounded(&outcome.unloading);
-        Self { contact, case, outcome, kinetic: 0.4 * case.q * case.q, input_energy }
+        Self { contact, case, outcome, kinetic: kinetic_energy(case.q), input_energy }
     }
 
     /// The error of the sum, over ½ m v² + m g δ_m. During loading W(x) is the stored and the plastic energy together.
     fn balance_error(&self, speed: f64, potential: f64, loss: f64, indentation: f64) -> f64 {
         let sunk = |x: f64| self.case.forces.weight * (x - self.case.ground.first_contact());
         let put_in = self.kinetic + sunk(self.outcome.unloading.peak.indentation);
-        (0.4 * speed * speed + potential + loss - sunk(indentation) - self.kinetic) / put_in
+        (kinetic_energy(speed) + potential + loss - sunk(indentation) - self.kinetic) / put_in
     }
 
     /// The error at the end of the contact.
@@ -75,7 +75,7 @@ impl<'a> EnergyBalance<'a> {
         let ScaledResult { unloading, end_indentation: x, end_speed, .. } = *self.outcome;
         let force = unloading.force_at_elastic_approach(x - self.case.ground.deepest_state(&unloading.peak).residual());
         let speed = end_speed + self.case.plate.map_or(0.0, |plate| plate.mobility * force);
-        0.4 * speed * speed + unloading.stored_energy(x)
+        kinetic_energy(speed) + unloading.stored_energy(x)
     }
 
     /// The error at the peak. With damping the loss up to the peak is not known, and the error is set to 0.
@@ -103,8 +103,8 @@ impl<'a> EnergyBalance<'a> {
             () if elastic_approach < x => Branch::Plastic,
             () => Branch::Elastic,
         };
-        let indentation = x * scales.length;
-        let sphere_indentation = self.contact.pair().sphere_indentation(x, elastic_approach) * scales.length;
+        let indentation = x * scales.units.length;
+        let sphere_indentation = self.contact.pair().sphere_indentation(x, elastic_approach) * scales.units.length;
         TraceRow {
             time: time * scales.time(),
             indentation,
@@ -112,8 +112,8 @@ impl<'a> EnergyBalance<'a> {
             half_space_indentation: indentation - sphere_indentation,
             speed: speed * scales.speed,
             sphere_speed: self.case.plate.map(|plate| (speed + plate.mobility * force) * scales.speed),
-            force: total_force * scales.force,
-            elastic_force: self.contact.forces().damping.map(|_| force * scales.force),
+            force: total_force * scales.units.force,
+            elastic_force: self.contact.forces().damping.map(|_| force * scales.units.force),
             branch,
             friction: None,
             event,

@@ -1,7 +1,5 @@
 //! The result of an impact in SI units, for reports and pictures.
 
-use std::ops::Deref;
-
 use super::energy_balance::{EnergyBalance, TraceRow};
 use super::row::ImpactRow;
 use super::warning::Warning;
@@ -77,15 +75,15 @@ pub struct ForcesResult {
     pub gravity_work: Option<f64>,
 }
 
-/// One impact, for reports and pictures. It derefs to its [`ImpactRow`], the results in a row of a table, as in
-/// `impact.peak_force`. SI units.
+/// One impact, for reports and pictures. SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impact {
     /// Impact speed v \[m/s\]; for an oblique impact the magnitude of the velocity.
     pub speed: f64,
     /// The method that computed the impact. For `Auto` it is the method that `Auto` chose.
     pub method: Method,
-    pub essentials: ImpactRow,
+    /// The results that a row of a table has too.
+    pub row: ImpactRow,
     /// Speed of the sphere \[m/s\], normal to the half-space: e v if the target is fixed.
     pub rebound_speed: f64,
     /// First contact to maximum compression \[s\], by [`Method::Verlet`] within a step.
@@ -114,20 +112,12 @@ pub struct Impact {
     pub forces_result: Option<ForcesResult>,
     /// The times in fixed steps, by [`Method::Verlet`].
     pub fixed_steps: Option<FixedSteps>,
-    /// Energy, momentum and error of an oblique impact; its other results are in `essentials.rebound`.
+    /// Energy, momentum and error of an oblique impact; its other results are in `row.rebound`.
     pub oblique: Option<ObliqueResult>,
     /// The warnings about the model and the run.
     pub warnings: Vec<Warning>,
     /// The trace, in order of time; empty if no trace is requested.
     pub trace: Vec<TraceRow>,
-}
-
-impl Deref for Impact {
-    type Target = ImpactRow;
-
-    fn deref(&self) -> &ImpactRow {
-        &self.essentials
-    }
 }
 
 impl Impact {
@@ -142,8 +132,8 @@ impl Impact {
     ) -> Result<Self, ImpactError> {
         let ScaledImpact { scales, ground, forces, .. } = case;
         let Solution { outcome, stats: work, fixed_steps, trace_points: points } = computed;
-        let essentials = ImpactRow::new(contact, speed, case, outcome)?;
-        let ImpactRow { restitution, kinetic_in, peak_contact_radius, .. } = essentials;
+        let row = ImpactRow::new(contact, speed, case, outcome)?;
+        let ImpactRow { restitution, kinetic_in, peak_contact_radius, .. } = row;
         let pair = contact.pair();
         let peak = &outcome.unloading.peak;
         let ledger = EnergyBalance::new(contact, case, outcome);
@@ -159,22 +149,22 @@ impl Impact {
             return Err(IntegrationError::NotFinite { time }.into());
         }
         remove_duplicate_end_rows(&mut trace);
-        let has_dent = essentials.has_dent();
-        let is_in_half_space = essentials.dent_depth() > 0.0;
+        let has_dent = row.has_dent();
+        let is_in_half_space = row.dent_depth() > 0.0;
         let dent = ground.deepest_state(peak);
         let radius_ratio = dent.unloading_radius_ratio();
         let is_captured = outcome.end == ImpactEnd::Captured;
-        let energy = scales.energy();
+        let energy = scales.units.energy();
         let under_forces = (!contact.forces().is_none()).then(|| {
             let lifts_off = !is_captured && forces.damping.can_lift_off();
-            let moved = essentials.plate.map_or(0.0, |plate| plate.displacement / scales.length);
+            let moved = row.plate.map_or(0.0, |plate| plate.displacement / scales.units.length);
             let sunk = outcome.end_indentation - ground.first_contact() + moved;
             ForcesResult {
                 fate: outcome.end,
                 end_time: outcome.contact_time * scales.time(),
-                end_indentation: outcome.end_indentation * scales.length,
+                end_indentation: outcome.end_indentation * scales.units.length,
                 static_indentation: is_captured
-                    .then(|| forces.static_equilibrium(*ground, &outcome.unloading).indentation * scales.length),
+                    .then(|| forces.static_equilibrium(*ground, &outcome.unloading).indentation * scales.units.length),
                 damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
                 stored_at_separation: lifts_off
                     .then(|| outcome.unloading.stored_energy(outcome.end_indentation) * energy),
@@ -185,24 +175,25 @@ impl Impact {
         Ok(Self {
             speed,
             method,
-            essentials,
+            row,
             rebound_speed: contact.speeds_after(speed, restitution).0,
             loading_time: outcome.loading_time * scales.time(),
-            peak_sphere_indentation: pair.sphere_indentation(peak.indentation, peak.elastic_approach) * scales.length,
-            elastic_approach: peak.elastic_approach * scales.length,
+            peak_sphere_indentation: pair.sphere_indentation(peak.indentation, peak.elastic_approach)
+                * scales.units.length,
+            elastic_approach: peak.elastic_approach * scales.units.length,
             unloading_exponent: outcome.unloading.exponent,
             unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
             residual_radius: (is_in_half_space && radius_ratio > 1.0)
                 .then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0))),
-            force_at_peak_indentation: peak.force * scales.force,
-            peak_mean_pressure: peak.force * scales.force
+            force_at_peak_indentation: peak.force * scales.units.force,
+            peak_mean_pressure: peak.force * scales.units.force
                 / (std::f64::consts::PI * peak_contact_radius)
                 / peak_contact_radius,
-            dent_radius: is_in_half_space.then(|| scales.contact_radius * ground.contact_radius(&dent)),
+            dent_radius: is_in_half_space.then(|| scales.units.contact_radius * ground.contact_radius(&dent)),
             energy: Energy {
                 kinetic_in,
                 centre_of_mass: contact.target_mass().map(|target| kinetic_in * (contact.mass() / target)),
-                recovered: kinetic_in * essentials.recovered_fraction(),
+                recovered: kinetic_in * row.recovered_fraction(),
                 plastic: pair.yield_point.map(|_| ground.plastic_work(&outcome.unloading) * energy),
                 balance_error,
                 error_at_end: ledger.error_at_end(),
@@ -224,8 +215,8 @@ impl Impact {
         approach: Approach,
     ) -> Result<(), ImpactError> {
         let slip = inclined.slip_result(true)?;
-        self.speed = approach.speed;
-        self.essentials.rebound = Some(inclined.rebound(&slip)?);
+        self.speed = approach.speed();
+        self.row.rebound = Some(inclined.rebound(&slip)?);
         self.oblique = Some(inclined.result(&slip));
         for row in &mut self.trace {
             row.friction =
@@ -241,7 +232,7 @@ impl Impact {
 
     /// The simulated time \[s\]: the contact time, or the time to the end of the run of a captured sphere.
     pub fn duration(&self) -> f64 {
-        self.captured_result().map_or(self.contact_time, |under| under.end_time)
+        self.captured_result().map_or(self.row.contact_time, |under| under.end_time)
     }
 }
 

@@ -7,6 +7,7 @@ use crate::impact::problem::contact::{Contact, StrainRateResult};
 use crate::impact::problem::error::ImpactError;
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::plate::ScaledPlate;
+use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy};
 use crate::impact::problem::waves;
 use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::closed_form;
@@ -85,13 +86,13 @@ impl PlateResult {
                 unloading.force_at_elastic_approach(end_indentation - ground.deepest_state(&unloading.peak).residual())
             }
         };
-        let moved = y * (weight * outcome.contact_time + 0.8 * (q - u - y * f));
-        let energy = outcome.loss - 0.8 * y * f * u - 0.4 * y * y * f * f + weight * moved;
+        let moved = y * (weight * outcome.contact_time + (q - u - y * f) / FORCE_FACTOR);
+        let energy = outcome.loss - y * f * u / FORCE_FACTOR - kinetic_energy(y * f) + weight * moved;
         Some(Self {
             zener_number,
             wave_transits,
-            energy: energy * scales.energy(),
-            displacement: moved * scales.length,
+            energy: energy * scales.units.energy(),
+            displacement: moved * scales.units.length,
             wave_reach: under.wave_reach(contact_time),
         })
     }
@@ -134,7 +135,7 @@ impl ImpactRow {
         let lost = ground.plastic_work(&outcome.unloading);
         // under gravity the share may exceed 1; without kinetic energy it does not exist
         let has_share = lost != 0.0 && kinetic_in > 0.0;
-        let share = if has_share { lost * scales.energy() / kinetic_in } else { 0.0 };
+        let share = if has_share { lost * scales.units.energy() / kinetic_in } else { 0.0 };
         if share.is_infinite() {
             return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
         }
@@ -146,12 +147,12 @@ impl ImpactRow {
             restitution: outcome.restitution,
             restitution_interval: None,
             contact_time,
-            peak_force: finite_positive("peak force (N)", outcome.largest_force * scales.force)?,
-            peak_indentation: peak.indentation * scales.length,
-            residual_indentation: residual * scales.length,
+            peak_force: finite_positive("peak force (N)", outcome.largest_force * scales.units.force)?,
+            peak_indentation: peak.indentation * scales.units.length,
+            residual_indentation: residual * scales.units.length,
             flat_depth: contact.pair().yield_point.map_or(0.0, |point| point.yield_partition.flat_share)
                 * residual
-                * scales.length,
+                * scales.units.length,
             peak_contact_radius,
             radius_ratio,
             is_outside_validity: radius_ratio > ground.law.validity.max_radius_ratio

@@ -87,80 +87,116 @@ impl ImpactSeries {
             SeriesMode::Bouncing { most, .. } => *most,
             SeriesMode::Shots(speeds) => speeds.len() as u64,
         });
-        let traced = (MAX_TRACE_ROWS / (2 * samples).max(1)).max(1);
-        let mut sequence = SeriesResult {
-            impacts: Vec::new(),
-            traced_impacts: Vec::new(),
-            fall: None,
-            end: SeriesEnd::Shots,
-            remaining_time: None,
-            method: solver.method,
-            warnings: Vec::new(),
+        let mut run = SeriesRun {
+            contact,
+            solver,
+            samples,
+            spot_mode: self.spot_mode,
+            spot: Spot::new(),
+            progress,
+            result: SeriesResult {
+                impacts: Vec::new(),
+                fall: None,
+                end: SeriesEnd::Shots,
+                remaining_time: None,
+                method: solver.method,
+                warnings: Vec::new(),
+            },
         };
-        let mut spot = Spot::new();
-        let mut hit =
-            |sequence: &mut SeriesResult, approach: Approach, time: Option<f64>| -> Result<SeriesImpact, ImpactError> {
-                if self.spot_mode == SpotMode::Fresh {
-                    spot = Spot::new();
-                }
-                let before = contact.dent_depth(&spot);
-                let number = sequence.impacts.len() + 1;
-                let samples = (number <= traced).then_some(samples);
-                let impact = impact_on_spot(contact, &mut spot, approach, solver, samples)?;
-                let hit = SeriesImpact::new(&impact, approach, time, before);
-                sequence.method = impact.method;
-                sequence.push_warnings(number, &impact.warnings);
-                sequence.impacts.push(hit);
-                progress.advance();
-                if samples.is_some() {
-                    sequence.traced_impacts.push(impact);
-                }
-                Ok(hit)
-            };
         match self.mode {
             SeriesMode::Shots(ref speeds) => {
                 for speed in speeds.iter().take_while(|_| !progress.is_stopped()) {
-                    hit(&mut sequence, (*speed).into(), None)?;
+                    let hit = run.next_impact((*speed).into(), None, 0.0)?;
+                    run.result.impacts.push(hit);
                 }
             }
             SeriesMode::Bouncing { gravity, drop_height, approach, most, until } => {
                 let flying = contact.forces().flight.unwrap_or(FreeFlight::in_vacuum(gravity));
-                sequence.fall = drop_height.map(|height| Flight::from_drop(flying, height));
-                let mut time = sequence.fall.map_or(0.0, |fall| fall.duration);
-                let (mut approach, mut position) = (approach, 0.0);
-                sequence.end = loop {
-                    let hit = hit(&mut sequence, approach, Some(time))?;
-                    sequence.impacts.last_mut().into_iter().for_each(|last| last.position = position);
-                    if hit.is_captured() {
-                        break SeriesEnd::Captured;
-                    }
-                    let touch = if self.spot_mode == SpotMode::Same { hit.residual_indentation } else { 0.0 };
-                    let (begin, from) = (time + hit.contact_time, hit.end_indentation());
-                    let Some(flight) = Flight::from_rebound(flying, begin, from, hit.rebound_speed, touch) else {
-                        // without a dent, or on the same spot, the sphere falls back into its contact
-                        let in_dent = self.spot_mode == SpotMode::Fresh && hit.residual_indentation > 0.0;
-                        break if in_dent { SeriesEnd::InDent } else { SeriesEnd::Captured };
-                    };
-                    if until.is_some_and(|until| flight.landing_speed < until) {
-                        break SeriesEnd::Until;
-                    }
-                    if sequence.impacts.len() as u64 >= most || progress.is_stopped() {
-                        break SeriesEnd::Impacts;
-                    }
-                    let flight = flight
-                        .with_tangential_motion(position + hit.tangential_travel(), hit.rebound_tangential_speed());
-                    if let Some(last) = sequence.impacts.last_mut() {
-                        last.flight = Some(flight);
-                    }
-                    time = flight.begin + flight.duration;
-                    position = flight.position_at(flight.duration);
-                    approach = hit.next_approach(flight.landing_speed);
-                };
-                sequence.remaining_time = sequence.estimated_rest(&flying);
+                run.result.fall = drop_height.map(|height| Flight::from_drop(flying, height));
+                run.result.end = run.bounce(&flying, approach, most, until)?;
+                run.result.remaining_time = run.result.estimated_rest(&flying);
             }
         }
-        sequence.warnings.sort_by_key(|(_, warning)| !warning.is_fatal());
-        Ok(sequence)
+        run.result.warnings.sort_by_key(|(_, warning)| !warning.is_fatal());
+        Ok(run.result)
+    }
+}
+
+/// A series during its computation.
+struct SeriesRun<'a> {
+    contact: &'a Contact,
+    solver: &'a Solver,
+    /// Rows of the trace of one impact.
+    samples: usize,
+    spot_mode: SpotMode,
+    spot: Spot,
+    progress: &'a Progress,
+    result: SeriesResult,
+}
+
+impl SeriesRun<'_> {
+    /// Computes the next impact, at this time and position.
+    fn next_impact(
+        &mut self,
+        approach: Approach,
+        time: Option<f64>,
+        position: f64,
+    ) -> Result<SeriesImpact, ImpactError> {
+        if self.spot_mode == SpotMode::Fresh {
+            self.spot = Spot::new();
+        }
+        let before = self.contact.dent_depth(&self.spot);
+        let number = self.result.impacts.len() + 1;
+        let traced = (MAX_TRACE_ROWS / (2 * self.samples).max(1)).max(1);
+        let samples = (number <= traced).then_some(self.samples);
+        let mut impact = impact_on_spot(self.contact, &mut self.spot, approach, self.solver, samples)?;
+        self.result.method = impact.method;
+        self.result.push_warnings(number, &std::mem::take(&mut impact.warnings));
+        self.progress.advance();
+        Ok(SeriesImpact::new(impact, approach, time, position, before))
+    }
+
+    /// The flight after an impact that ends at this time, or the reason why there is none.
+    fn flight_after(&self, hit: &SeriesImpact, end: f64, flying: &FreeFlight) -> Result<Flight, SeriesEnd> {
+        if hit.is_captured() {
+            return Err(SeriesEnd::Captured);
+        }
+        let (dent, is_fresh) = (hit.impact.row.residual_indentation, self.spot_mode == SpotMode::Fresh);
+        let touch = if is_fresh { 0.0 } else { dent };
+        let flight = Flight::from_rebound(*flying, end, hit.end_indentation(), hit.rebound_speed, touch);
+        // without a dent, or on the same spot, the sphere falls back into its contact
+        let flight = flight.ok_or(if is_fresh && dent > 0.0 { SeriesEnd::InDent } else { SeriesEnd::Captured })?;
+        Ok(flight.with_tangential_motion(hit.position + hit.tangential_travel(), hit.rebound_tangential_speed()))
+    }
+
+    /// Bounces until the series ends by rule; returns the reason.
+    fn bounce(
+        &mut self,
+        flying: &FreeFlight,
+        mut approach: Approach,
+        most: u64,
+        until: Option<f64>,
+    ) -> Result<SeriesEnd, ImpactError> {
+        let (mut time, mut position) = (self.result.fall.map_or(0.0, |fall| fall.duration), 0.0);
+        loop {
+            let mut hit = self.next_impact(approach, Some(time), position)?;
+            let flight = self.flight_after(&hit, time + hit.impact.row.contact_time, flying);
+            let is_last = self.result.impacts.len() as u64 + 1 >= most || self.progress.is_stopped();
+            let flight = match flight {
+                Ok(flight) if until.is_some_and(|until| flight.landing_speed < until) => Err(SeriesEnd::Until),
+                Ok(_) if is_last => Err(SeriesEnd::Impacts),
+                flight => flight,
+            };
+            hit.flight = flight.ok();
+            if let Ok(flight) = flight {
+                (time, position) = (flight.begin + flight.duration, flight.position_at(flight.duration));
+                approach = hit.next_approach(flight.landing_speed);
+            }
+            self.result.impacts.push(hit);
+            if let Err(end) = flight {
+                return Ok(end);
+            }
+        }
     }
 }
 

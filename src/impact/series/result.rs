@@ -1,10 +1,8 @@
 //! The results of a series: its impacts, why it ended, and an estimate of what would follow.
 
-use std::ops::Deref;
-
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::flight::trajectory::Flight;
-use crate::impact::{Approach, Energy, ForcesResult, Impact, ImpactEnd, ImpactRow, Method, ObliqueResult, Warning};
+use crate::impact::{Approach, ForcesResult, Impact, ImpactEnd, Method, Warning};
 use crate::numerics::power::nan_max;
 use crate::strings::names::named_enum;
 
@@ -25,45 +23,28 @@ named_enum! {
     }
 }
 
-/// One impact of a series. It derefs to the results in a row of a table, as in `hit.peak_force`. SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// One impact of a series. SI units.
+#[derive(Debug, Clone, PartialEq)]
 pub struct SeriesImpact {
     /// Time of first contact \[s\]; `None` for shots.
     pub time: Option<f64>,
     /// Position of this impact along the surface \[m\]; 0 for the first impact.
     pub position: f64,
-    /// Impact speed \[m/s\], normal to the half-space.
-    pub speed: f64,
-    /// How the sphere comes in, if it comes at an angle or spins.
+    /// How the sphere comes in.
     pub approach: Approach,
-    /// Energy and momentum of friction, if the sphere comes at an angle or spins.
-    pub oblique: Option<ObliqueResult>,
+    /// The impact. Its warnings are those of the series, and only the first impacts have a trace.
+    pub impact: Impact,
     /// Take-off speed of the flight \[m/s\]: e v, where e includes the loss by waves if the half-space has a density.
     pub rebound_speed: f64,
-    pub essentials: ImpactRow,
-    /// The energies; the recovered energy belongs to the rebound speed.
-    pub energy: Energy,
-    /// Fate, losses and work under gravity or damping.
-    pub under_forces: Option<ForcesResult>,
     /// Growth of the dent depth in this impact \[m\].
     pub dent_growth: f64,
     pub flight: Option<Flight>,
-}
-
-impl Deref for SeriesImpact {
-    type Target = ImpactRow;
-
-    fn deref(&self) -> &ImpactRow {
-        &self.essentials
-    }
 }
 
 /// The results of a series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SeriesResult {
     pub impacts: Vec<SeriesImpact>,
-    /// The first impacts with their traces.
-    pub traced_impacts: Vec<Impact>,
     /// The fall before the first impact.
     pub fall: Option<Flight>,
     pub end: SeriesEnd,
@@ -78,90 +59,87 @@ pub struct SeriesResult {
 }
 
 impl SeriesImpact {
-    pub(super) fn new(impact: &Impact, approach: Approach, time: Option<f64>, dent_before: f64) -> Self {
-        let &Impact { essentials, energy, forces_result: under_forces, oblique, .. } = impact;
-        let [speed, _] = approach.components();
-        let restitution = essentials.measured_restitution();
-        let rebound_speed = restitution * speed;
-        let energy = Energy { recovered: energy.kinetic_in * (restitution * restitution), ..energy };
-        let dent_growth = essentials.residual_indentation - dent_before;
-        Self {
-            time,
-            position: 0.0,
-            speed,
-            approach,
-            oblique,
-            rebound_speed,
-            essentials,
-            energy,
-            under_forces,
-            dent_growth,
-            flight: None,
-        }
+    pub(super) fn new(impact: Impact, approach: Approach, time: Option<f64>, position: f64, dent_before: f64) -> Self {
+        let rebound_speed = impact.row.measured_restitution() * approach.normal;
+        let dent_growth = impact.row.residual_indentation - dent_before;
+        Self { time, position, approach, impact, rebound_speed, dent_growth, flight: None }
+    }
+
+    /// The energy of the rebound \[J\], without that of the waves.
+    pub fn recovered_energy(&self) -> f64 {
+        let restitution = self.impact.row.measured_restitution();
+        self.impact.row.kinetic_in * (restitution * restitution)
     }
 
     /// Speed along the surface before the impact \[m/s\], if the sphere comes at an angle or spins.
     pub fn tangential_speed(&self) -> Option<f64> {
-        self.approach.incidence.map(|_| self.approach.components()[1])
+        self.approach.friction.map(|_| self.approach.along)
     }
 
     /// Speed along the surface after the impact \[m/s\].
     pub(super) fn rebound_tangential_speed(&self) -> f64 {
-        self.rebound.map_or(0.0, |rebound| rebound.tangential_speed)
+        self.impact.row.rebound.map_or(0.0, |rebound| rebound.tangential_speed)
     }
 
     /// Displacement of the sphere along the surface in contact \[m\], at the mean of the speeds before and after.
     pub(super) fn tangential_travel(&self) -> f64 {
-        0.5 * (self.tangential_speed().unwrap_or(0.0) + self.rebound_tangential_speed()) * self.contact_time
+        0.5 * (self.tangential_speed().unwrap_or(0.0) + self.rebound_tangential_speed()) * self.impact.row.contact_time
     }
 
-    /// The speed and the incidence of the next impact, for this landing speed.
+    /// The approach of the next impact, for this landing speed.
     pub(super) fn next_approach(&self, landing_speed: f64) -> Approach {
-        self.rebound.zip(self.approach.incidence).map_or(landing_speed.into(), |(rebound, incidence)| {
-            Approach::from_components([landing_speed, rebound.tangential_speed], rebound.spin, incidence.friction)
-        })
+        let turned = self.impact.row.rebound.map(|rebound| (rebound.tangential_speed, rebound.spin));
+        let (along, spin) = turned.unwrap_or((self.approach.along, self.approach.spin));
+        Approach { normal: landing_speed, along, spin, ..self.approach }
     }
 
     /// The energy that elastic waves carry away \[J\], if the half-space has a density.
     pub fn radiated_energy(&self) -> Option<f64> {
-        self.wave_loss_fraction.map(|_| (self.recovered_fraction() * self.kinetic_in - self.energy.recovered).max(0.0))
+        let row = &self.impact.row;
+        row.wave_loss_fraction.map(|_| (row.recovered_fraction() * row.kinetic_in - self.recovered_energy()).max(0.0))
     }
 
     /// A result that only an impact under gravity or damping has.
     pub fn forces_value(&self, value: fn(&ForcesResult) -> Option<f64>) -> Option<f64> {
-        self.under_forces.as_ref().and_then(value)
+        self.impact.forces_result.as_ref().and_then(value)
     }
 
     /// Energy in the plate at the end of the impact \[J\], if there is a plate.
     pub fn plate_energy(&self) -> Option<f64> {
-        self.plate.map(|plate| plate.energy)
+        self.impact.row.plate.map(|plate| plate.energy)
     }
 
     /// True if the sphere does not separate: without damping F_m ≤ (n + 1) m g.
     pub fn is_captured(&self) -> bool {
-        self.under_forces.is_some_and(|forces| forces.fate == ImpactEnd::Captured)
+        self.impact.forces_result.is_some_and(|forces| forces.fate == ImpactEnd::Captured)
     }
 
     /// δ at separation \[m\]: the depth of the dent, or more under viscous damping.
     pub fn end_indentation(&self) -> f64 {
-        self.under_forces.map_or(self.residual_indentation, |forces| forces.end_indentation)
+        self.impact.forces_result.map_or(self.impact.row.residual_indentation, |forces| forces.end_indentation)
     }
 
     /// Time of separation \[s\]; `None` for shots and for a captured sphere.
     pub fn separation_time(&self) -> Option<f64> {
-        self.time.filter(|_| !self.is_captured()).map(|time| time + self.contact_time)
+        self.time.filter(|_| !self.is_captured()).map(|time| time + self.impact.row.contact_time)
     }
 }
 
 impl SeriesResult {
+    /// The impacts with a trace: the first ones.
+    pub fn traced_impacts(&self) -> &[SeriesImpact] {
+        let count = self.impacts.iter().take_while(|hit| !hit.impact.trace.is_empty()).count();
+        &self.impacts[..count]
+    }
+
     /// The deepest dent \[m\].
     pub fn deepest_dent(&self) -> f64 {
-        self.impacts.iter().map(|hit| hit.residual_indentation).fold(0.0, nan_max)
+        self.impacts.iter().map(|hit| hit.impact.row.residual_indentation).fold(0.0, nan_max)
     }
 
     /// The imprint of the first impact: `dent`, `flat`, or `dent and flat`.
     pub fn imprint_name(&self) -> &'static str {
-        self.impacts.first().map_or("dent", |hit| hit.imprint_name())
+        self.impacts.first().map_or("dent", |hit| hit.impact.row.imprint_name())
     }
 
     /// Estimated time of rest \[s\]: the last separation and the remaining time.
@@ -171,7 +149,7 @@ impl SeriesResult {
 
     /// Largest error of the energy balances of the impacts.
     pub fn max_balance_error(&self) -> f64 {
-        self.impacts.iter().map(|hit| hit.energy.balance_error).fold(0.0, nan_max)
+        self.impacts.iter().map(|hit| hit.impact.energy.balance_error).fold(0.0, nan_max)
     }
 
     pub(super) fn push_warnings(&mut self, number: usize, warnings: &[Warning]) {
@@ -185,7 +163,7 @@ impl SeriesResult {
     /// [`SeriesResult::remaining_time`] for flights under these forces.
     pub(super) fn estimated_rest(&self, flying: &FreeFlight) -> Option<f64> {
         let last = self.impacts.last().filter(|_| matches!(self.end, SeriesEnd::Impacts | SeriesEnd::Until))?;
-        let (speed, restitution) = (last.rebound_speed, last.measured_restitution());
+        let (speed, restitution) = (last.rebound_speed, last.impact.row.measured_restitution());
         let missing = 1.0 - restitution;
         match flying.has_air() {
             _ if missing <= 0.0 => None,

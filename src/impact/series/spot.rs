@@ -30,7 +30,7 @@ impl Spot {
 impl Contact {
     /// Depth of the dent of a spot \[m\], at which the next contact begins.
     pub fn dent_depth(&self, spot: &Spot) -> f64 {
-        spot.memory().map_or(0.0, |memory| memory.residual() * self.scales.length)
+        spot.memory().map_or(0.0, |memory| memory.residual() * self.scales.units.length)
     }
 
     /// Like [`Contact::impact`], on a spot, which then remembers the impact.
@@ -45,8 +45,7 @@ impl Contact {
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
         let approach = approach.into();
-        let [speed, _] = approach.components();
-        if let Some(rated) = self.contact_at_speed(speed)? {
+        if let Some(rated) = self.contact_at_speed(approach.normal)? {
             return self.rate_dependent_impact_on(spot, &rated, approach, solver, samples);
         }
         let (impact, ground, unloading) = self.impact_on_surface(spot.dent.as_ref(), approach, solver, samples)?;
@@ -66,7 +65,8 @@ impl Contact {
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        let (length, force) = (rated.scales.length / self.scales.length, rated.scales.force / self.scales.force);
+        let (length, force) =
+            (rated.scales.units.length / self.scales.units.length, rated.scales.units.force / self.scales.units.force);
         let met = spot
             .dent
             .as_ref()

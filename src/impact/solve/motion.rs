@@ -25,7 +25,7 @@ use super::outcome::{ImpactEnd, ScaledResult};
 use super::recorder::{Event, TraceRecorder};
 use crate::contact::law::Surface;
 use crate::impact::problem::forces::{ScaledForces, StaticEquilibrium};
-use crate::impact::problem::scales::FORCE_FACTOR;
+use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy, speed_at_energy};
 use crate::numerics::ode::{
     DampingCoefficients, ErrorScales, IntegrationError, Integrator, Leg, LegEnd, LegProblem, LegResult, MotionState,
 };
@@ -40,7 +40,7 @@ pub fn integrate<'a, I: Integrator>(
     recorder: &mut TraceRecorder,
 ) -> Result<ScaledResult, IntegrationError> {
     let ground = ground.into();
-    let distance = forces.turning_distance(ground, 0.4 * q * q);
+    let distance = forces.turning_distance(ground, kinetic_energy(q));
     let (pull, drag) = (FORCE_FACTOR * forces.weight, forces.damping);
     let sizes = ErrorScales { distance, speed: (q * q + pull * distance).sqrt() };
     let mut path = LegProblem {
@@ -68,7 +68,7 @@ pub fn integrate<'a, I: Integrator>(
     let mut piece = 0;
     let is_at_rest = loop {
         (path.piece, path.leg) = (ground.piece(piece), loading_leg(ground, piece));
-        if piece == 0 && ground.turns_on_branch(0.4 * q * q, forces.weight) {
+        if piece == 0 && ground.turns_on_branch(kinetic_energy(q), forces.weight) {
             path.leg = Leg::Loading(f64::INFINITY);
         }
         let rest_of = |point: StaticEquilibrium| {
@@ -90,7 +90,7 @@ pub fn integrate<'a, I: Integrator>(
         at.distance = entry_distance(ground, piece);
     };
 
-    let unloading = ground.unloading_from_turn(piece, at.distance - entry_distance(ground, piece), None);
+    let unloading = ground.unload(piece, at.distance - entry_distance(ground, piece), None);
     recorder.record_event(if is_at_rest { Event::Captured } else { Event::Peak }, &at);
     let loading_time = at.time;
     let branch = unloading.to_piece();
@@ -99,7 +99,7 @@ pub fn integrate<'a, I: Integrator>(
     if !is_at_rest {
         at.speed = 0.0;
         path.error_scales =
-            ErrorScales { distance: at.distance, speed: (2.0 * FORCE_FACTOR * unloading.recoverable_energy()).sqrt() };
+            ErrorScales { distance: at.distance, speed: speed_at_energy(unloading.recoverable_energy()) };
         path.piece = &branch;
         // a sphere that arrived without speed does not separate
         let is_captured = q == 0.0 || forces.is_conservative() && forces.is_captured(&unloading, q);

@@ -53,7 +53,7 @@ impl<'a> FixedStepContact<'a> {
     /// The speed that the sphere gains when the metal relaxes on a plate: the force falls, and the momentum stays (`motion.rs`).
     /// `speed` is the speed against the plate.
     fn relaxation_speed(&mut self, speed: f64) -> f64 {
-        if speed >= 0.0 || self.drag.plate == 0.0 || self.ground.law.peak_law.is_none() {
+        if speed >= 0.0 || self.drag.plate == 0.0 || !self.ground.law.relaxes() {
             return 0.0;
         }
         if self.after_relaxation != AfterRelaxation::NotYet {
@@ -72,21 +72,19 @@ impl<'a> FixedStepContact<'a> {
     fn branch_from(&self, deepest: f64) -> Unloading {
         match self.unloading {
             Some(unloading) if self.after_relaxation != AfterRelaxation::NotYet => unloading,
-            _ => self.ground.unloading(self.loaded_state(deepest)),
+            _ => self.ground.unload_at(deepest),
         }
     }
 
     /// The piece of the loading curve at a distance.
     fn piece_at(&self, distance: f64) -> &'a Piece {
-        self.ground.piece(self.ground.reloading_path.index_at(self.touch + distance))
+        self.ground.piece(self.ground.place_at(distance).0)
     }
 
     /// The state on the loading curve at a distance.
     fn loaded_state(&self, distance: f64) -> ContactState {
-        match self.ground.reloading_branch() {
-            Some(branch) if distance <= branch.peak.elastic_approach => self.ground.state_at(0, distance),
-            _ => self.ground.law.loaded_state(self.touch + distance),
-        }
+        let (index, distance) = self.ground.place_at(distance);
+        self.ground.state_at(index, distance)
     }
 
     /// Force of the law, what damping adds to it, and the deceleration by drag on the motion alone.
@@ -100,7 +98,7 @@ impl<'a> FixedStepContact<'a> {
             return with_damping(drag, force, || piece.slope_at(x), speed);
         }
         let (ground, touch, deepest) = (self.ground, self.touch, self.deepest);
-        let unloading = self.unloading.get_or_insert_with(|| ground.unloading(ground.loaded_state(touch + deepest)));
+        let unloading = self.unloading.get_or_insert_with(|| ground.unload_at(deepest));
         let recovered = distance - (unloading.peak.residual() - touch);
         let force = unloading.force_at_elastic_approach(recovered);
         with_damping(drag, force, || unloading.slope_at(recovered.max(0.0)), speed)

@@ -8,12 +8,12 @@ mod run;
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use super::oblique::{Approach, Incidence};
+use super::oblique::Approach;
 use super::problem::contact::Contact;
 use super::problem::forces::Damping;
 use super::result::impact::Impact;
 use super::result::warning::{Warning, WarningKind};
-use super::solve::{Method, Solver};
+use super::solve::Solver;
 use crate::contact::law::{ContactState, ExponentClamp, Surface, Unloading};
 use crate::contact::strength::strain_rate_hardening::RateForm;
 use crate::numerics::root::bisect;
@@ -23,7 +23,7 @@ use limits::{MAX_DUNDURS_BETA, MAX_PLOUGHING_RATIO, MAX_WAVE_LOSS};
 pub use restitution::Bias;
 pub(crate) use restitution::dent_warning;
 use restitution::restitution_warnings;
-use run::{energy_gain_warning, rebound_warning, run_warning};
+use run::{energy_gain_warning, run_warning};
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
 pub(crate) fn peak_warnings(ground: Surface, peak: &ContactState) -> impl Iterator<Item = Warning> + use<> {
@@ -70,13 +70,14 @@ impl Contact {
         let Self { scales, law, .. } = self;
         let reaches = |x: f64| {
             let Some(peak) = law.force_and_memory(x, None).1 else { return true };
-            let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.validity.max_radius_ratio * radius;
+            let is_wide =
+                scales.units.contact_radius * law.contact_radius(&peak) > law.validity.max_radius_ratio * radius;
             let is_before = law.exceeded_fit_range(&peak).is_some_and(|(from, _)| x < from);
             let is_harmless = |warning: Warning| is_before && warning.kind == WarningKind::OutsideStated;
             !is_wide && peak_warnings(law.into(), &peak).all(is_harmless)
         };
-        let far = radius / scales.length;
-        if reaches(far) { f64::INFINITY } else { bisect(0.0, far, reaches).0 * scales.length }
+        let far = radius / scales.units.length;
+        if reaches(far) { f64::INFINITY } else { bisect(0.0, far, reaches).0 * scales.units.length }
     }
 }
 
@@ -90,7 +91,7 @@ pub(super) fn impact_warnings(
 ) -> Vec<Warning> {
     let peak = &unloading.peak;
     let sphere = contact.sphere();
-    let mut warnings = restitution_warnings(contact, impact.speed, impact.peak_mean_pressure, impact);
+    let mut warnings = restitution_warnings(contact, impact.speed, impact.peak_mean_pressure, &impact.row);
     warnings.extend(peak_warnings(ground, peak));
     warnings.extend(exponent_warning(ground, unloading));
     let density = (!contact.has_attached_mass()).then_some(sphere.density);
@@ -100,8 +101,7 @@ pub(super) fn impact_warnings(
     warnings.extend(strain_rate_warnings(contact));
     warnings.extend(wave_warning(impact));
     warnings.extend(damping_warning(contact, impact));
-    let is_verlet = solver.method == Method::Verlet;
-    warnings.extend(if is_verlet { energy_gain_warning(contact, impact) } else { rebound_warning(contact, impact) });
+    warnings.extend(energy_gain_warning(contact, impact, solver.method));
     warnings.extend(run_warning(impact, solver));
     warnings.sort_by_key(|warning| !warning.is_fatal());
     warnings
@@ -109,7 +109,7 @@ pub(super) fn impact_warnings(
 
 /// The warning for radiated waves that the first order does not hold for.
 fn wave_warning(impact: &Impact) -> Option<Warning> {
-    let (loss, recovered) = (impact.wave_loss_fraction?, impact.recovered_fraction());
+    let (loss, recovered) = (impact.row.wave_loss_fraction?, impact.row.recovered_fraction());
     Warning::new_if(loss > MAX_WAVE_LOSS * recovered, WarningKind::StrongWaves, loss / recovered, || {
         format!(
             "restitution_with_waves is only a rough value. The wave loss ({} of the kinetic energy) is not small compared with the recovered energy ({}).",
@@ -186,9 +186,9 @@ pub(super) fn oblique_warnings(
     impact: &Impact,
     approach: Approach,
 ) -> impl Iterator<Item = Warning> + use<> {
-    let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle.abs());
-    let ratio = impact.radius_ratio;
-    let is_ploughing = impact.has_dent() && ratio > MAX_PLOUGHING_RATIO && angle > FRAC_PI_4;
+    let angle = approach.angle().abs();
+    let ratio = impact.row.radius_ratio;
+    let is_ploughing = impact.row.has_dent() && ratio > MAX_PLOUGHING_RATIO && angle > FRAC_PI_4;
     let ploughing = Warning::new_if(is_ploughing, WarningKind::Ploughing, ratio, || {
         format!(
             "Tangential speed and spin are estimates. At contact radius / sphere radius = {ratio:.3} and {:.0} deg from the normal the sphere ploughs; the ploughing force (about {:.0} % of the contact force) is not modelled.",
@@ -197,7 +197,7 @@ pub(super) fn oblique_warnings(
         )
     });
     let mismatch = contact.dundurs_beta();
-    let slips_little = impact.rebound.is_some_and(|rebound| rebound.psi.abs() < 1.0);
+    let slips_little = impact.row.rebound.is_some_and(|rebound| rebound.psi.abs() < 1.0);
     let is_coupled = mismatch.abs() > MAX_DUNDURS_BETA && slips_little;
     let coupled = Warning::new_if(is_coupled, WarningKind::DundursCoupling, mismatch.abs(), || {
         format!(

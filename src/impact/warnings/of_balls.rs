@@ -14,7 +14,7 @@ pub(super) fn missing_strength_warning(contact: &Contact, impact: &Impact) -> Op
         [Some(_), None] => ["half_space", "sphere"],
         _ => return None,
     };
-    Warning::new_if(is_of_two_balls && impact.has_dent(), WarningKind::OneBallYields, 0.0, || {
+    Warning::new_if(is_of_two_balls && impact.row.has_dent(), WarningKind::OneBallYields, 0.0, || {
         format!(
             "e has an error of up to 7 % (mostly too high) if both balls are of one material. The balls have the same elastic constants, but only {yielding} has a strength; {elastic} stays elastic. Set {elastic}.yield_strength too, unless that ball is much harder."
         )

@@ -301,7 +301,7 @@ pub unsafe extern "C" fn plm_contact_time(contact: *const plm_contact, speed: f6
         contact
             .contact
             .closed_form(speed)
-            .map_or((f64::NAN, f64::NAN), |impact| (impact.contact_time, impact.restitution))
+            .map_or((f64::NAN, f64::NAN), |impact| (impact.row.contact_time, impact.row.restitution))
     });
     if let Some(restitution) = restitution {
         *restitution = e;
@@ -318,7 +318,7 @@ pub unsafe extern "C" fn plm_contact_time(contact: *const plm_contact, speed: f6
 pub unsafe extern "C" fn plm_contact_restitution_with_waves(contact: *const plm_contact, speed: f64) -> f64 {
     // SAFETY: as the caller promises
     let Some(contact) = (unsafe { contact.as_ref() }) else { return f64::NAN };
-    let with_waves = || contact.contact.closed_form(speed).ok()?.restitution_with_waves();
+    let with_waves = || contact.contact.closed_form(speed).ok()?.row.restitution_with_waves();
     catch_panic(f64::NAN, || with_waves().unwrap_or(f64::NAN))
 }
 

@@ -96,7 +96,7 @@ impl Exporter<'_> {
     /// Where the numbers come from, and in which range they hold.
     fn header_lines(&self, request: &ExportRequest) -> Vec<String> {
         let speed = self.impact.speed;
-        let (restitution, ImpactRow { contact_time, peak_force, .. }) = (self.e, self.impact.essentials);
+        let (restitution, ImpactRow { contact_time, peak_force, .. }) = (self.e, self.impact.row);
         let mut about: Vec<String> = self.impact.warnings.iter().map(|warning| format!("warning: {warning}")).collect();
         about.extend([
             format!("{PROGRAM}: {}", self.command),
@@ -106,7 +106,7 @@ impl Exporter<'_> {
             ),
         ]);
         about.extend(self.drop_test_line());
-        if let Some(StrainRateResult { strain_rate, factor, .. }) = self.impact.strain_rate_result {
+        if let Some(StrainRateResult { strain_rate, factor, .. }) = self.impact.row.strain_rate_result {
             about.push(format!(
                 "the strength is that of the strain rate of each speed; at this one {} 1/s, where it is {} times that of the test",
                 format_four_digits(strain_rate),
@@ -149,12 +149,12 @@ impl Exporter<'_> {
     /// Dent, and heights of a fall in vacuum: numbers that a test measures.
     fn drop_test_line(&self) -> Option<String> {
         let impact = &self.impact;
-        if !impact.has_dent() || impact.has_flat() || self.contact.contact.target_mass().is_some() {
+        if !impact.row.has_dent() || impact.row.has_flat() || self.contact.contact.target_mass().is_some() {
             return None;
         }
         let flight = FreeFlight::in_vacuum(STANDARD_GRAVITY);
         let [from, to] = [impact.speed, self.e * impact.speed].map(|speed| flight.rise_height(speed));
-        let dent = 2.0 * impact.peak_contact_radius;
+        let dent = 2.0 * impact.row.peak_contact_radius;
         Some(format!("dent diameter {dent:.6e} m, rebound height {to:.6e} m after a fall of {from:.6e} m"))
     }
 
@@ -180,8 +180,8 @@ impl Exporter<'_> {
             let thickness = format_input(plate.thickness, Dimension::Length);
             return format!("e includes the energy that a plate of {thickness} absorbs{damped}");
         }
-        if self.impact.restitution_with_waves().is_some() {
-            let alone = self.impact.restitution;
+        if self.impact.row.restitution_with_waves().is_some() {
+            let alone = self.impact.row.restitution;
             return format!("e includes radiated waves (thick wall); without them e is {alone:.6}");
         }
         if self.contact.ball.is_some() && damped.is_empty() {
@@ -196,12 +196,12 @@ impl Exporter<'_> {
 
     /// Time step with which a damped spring is accurate enough \[s\].
     fn time_step(&self) -> f64 {
-        self.impact.contact_time / steps_per_contact(self.e)
+        self.impact.row.contact_time / steps_per_contact(self.e)
     }
 
     /// Stiffness of the damped linear spring \[N/m\].
     fn stiffness(&self) -> f64 {
-        damped_spring(self.contact.contact.reduced_mass(), self.e, self.impact.contact_time)
+        damped_spring(self.contact.contact.reduced_mass(), self.e, self.impact.row.contact_time)
     }
 
     fn lammps(&self) -> String {
@@ -277,7 +277,7 @@ impl Exporter<'_> {
 
     /// Yade puts the springs of the two materials in series, and its damped springs never pull.
     fn yade(&self) -> Result<String, Error> {
-        let (restitution, contact_time) = (self.e, self.impact.contact_time);
+        let (restitution, contact_time) = (self.e, self.impact.row.contact_time);
         let (stiffness, damping) = non_cohesive_spring(self.contact.contact.reduced_mass(), restitution, contact_time)
             .ok_or_else(|| {
                 Error::input(format!(
@@ -330,7 +330,7 @@ impl Exporter<'_> {
              species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // {of_mass}\n\
              {friction}{second}setTimeStep({:.3e});\n",
             self.contact.contact.sphere().density,
-            self.impact.contact_time,
+            self.impact.row.contact_time,
             self.e,
             self.contact.contact.reduced_mass(),
             self.time_step()
@@ -342,7 +342,7 @@ impl Exporter<'_> {
 fn table_csv(table: &[Impact]) -> String {
     let mut text = "speed_m_per_s,restitution\n".to_owned();
     for impact in table {
-        let _ = writeln!(text, "{:e},{:.9}", impact.speed, impact.measured_restitution());
+        let _ = writeln!(text, "{:e},{:.9}", impact.speed, impact.row.measured_restitution());
     }
     text
 }

@@ -41,7 +41,7 @@ pub fn export(scenario: &Scenario, request: &ExportRequest, command: &str) -> Re
         bare.contact.impact(speed, &Solver::AUTO, None).map_err(failed)
     };
     let impact = at(speed)?;
-    if impact.measured_restitution() <= 0.0 {
+    if impact.row.measured_restitution() <= 0.0 {
         return Err(Error::input(format!("no rebound at {speed} m/s; a spring-dashpot cannot have e = 0")));
     }
     let mut table = Vec::new();
@@ -57,6 +57,6 @@ pub fn export(scenario: &Scenario, request: &ExportRequest, command: &str) -> Re
         let message = "--speeds: this code supports a constant e only. Give --speed, or use --to csv.";
         return Err(Error::input(message.to_owned()));
     }
-    exporter::Exporter { scenario, contact: &bare, impact: &impact, e: impact.measured_restitution(), command }
+    exporter::Exporter { scenario, contact: &bare, impact: &impact, e: impact.row.measured_restitution(), command }
         .lines(request, &table)
 }

@@ -245,7 +245,7 @@ pub fn restitution<'py>(contact: &PyContact, speed: &Bound<'py, PyAny>) -> PyRes
             if !given[0].is_allowed(*speed) {
                 return (f64::NAN, arrow::failure_code(RowFailure::NotAllowed));
             }
-            let [normal_speed, _] = contact.input.approach_at(*speed).components();
+            let normal_speed = contact.input.approach_at(*speed).normal;
             match contact.inner.row(normal_speed, &Solver::AUTO) {
                 Ok(row) => (row.restitution, 0.0),
                 Err(error) => (f64::NAN, arrow::failure_code(error.into())),

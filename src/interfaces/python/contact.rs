@@ -74,7 +74,7 @@ impl PyContact {
 
     /// The contact with the strength of an impact at this speed; `None` where it does not depend on the speed.
     fn at_rate_of(&self, speed: f64) -> Result<Option<impact::Contact>, Error> {
-        let [normal, _] = self.input.approach_at(speed).components();
+        let normal = self.input.approach_at(speed).normal;
         let own = self.inner.has_rate().then(|| self.inner.at_speed(normal)).transpose();
         own.map_err(|reason| no_result_error(&self.scenario, &reason))
     }
@@ -246,6 +246,8 @@ fn json_error(error: serde_json::Error) -> PyErr {
 #[derive(Debug)]
 pub struct PyImpact {
     contact: Py<PyContact>,
+    /// The speed that it was asked for (m/s).
+    speed: f64,
     result: impact::Impact,
     /// The contact with the strength of this impact, where that depends on the speed.
     own: Option<impact::Contact>,
@@ -267,9 +269,10 @@ impl PyImpact {
             Ok((holder.compute_impact(own.as_ref(), speed, samples)?, own))
         };
         let (result, own) = py.detach(computed).map_err(exception)?;
-        let notes = strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), result.has_dent(), &[]);
+        let notes = strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), result.row.has_dent(), &[]);
         Ok(Self {
             contact,
+            speed,
             result,
             own,
             samples,
@@ -283,7 +286,7 @@ impl PyImpact {
     fn single_impact(&self) -> SingleImpact<'_> {
         let contact = self.contact.get();
         let own = self.own.as_ref().unwrap_or(&contact.inner);
-        let interval = || restitution_interval(&contact.input, own, self.result.speed, &self.result.essentials);
+        let interval = || restitution_interval(&contact.input, own, self.speed, &self.result.row);
         let interval = self.interval.get_or_init(interval).as_ref();
         let drop_height = contact.input.drop_height();
         SingleImpact { contact: own, impact: &self.result, interval, notes: &self.notes, drop_height }
@@ -296,7 +299,7 @@ impl PyImpact {
                 return Ok(traced);
             }
             let contact = self.contact.get();
-            let impact = contact.compute_impact(self.own.as_ref(), self.result.speed, Some(contact.input.samples()));
+            let impact = contact.compute_impact(self.own.as_ref(), self.speed, Some(contact.input.samples()));
             let impact = impact.map_err(exception)?;
             return Ok(self.traced.get_or_init(|| impact));
         }
@@ -327,8 +330,8 @@ impl PyImpact {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Py<PyContact>, f64, Option<usize>)> {
-        let Self { contact, result, samples, .. } = slf.get();
-        Ok((slf.get_type().getattr("_from_speed")?, (contact.clone_ref(slf.py()), result.speed, *samples)))
+        let Self { contact, speed, samples, .. } = slf.get();
+        Ok((slf.get_type().getattr("_from_speed")?, (contact.clone_ref(slf.py()), *speed, *samples)))
     }
 
     #[staticmethod]

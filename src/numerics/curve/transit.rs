@@ -7,7 +7,7 @@
 //! t = (1/q) ∫ dx/√(1 − w/E) = (1/q) Σ c_k E^(−k),   c_k = (2k)!/(4^k k!²) ∫ w^k dx from 0 to x_i
 //! ```
 //!
-//! The c_k belong to the curve. They are computed from the c_k of the previous knot when the first impact needs them. Up to
+//! The c_k of a knot follow from those of the knot before. They are computed when the first impact needs them. Up to
 //! w_i = E/10 fourteen terms are enough: the rest of the series is below 1e-16 of the time of loading. A hardening half-space
 //! and a sphere that yields have about 40 to 100 pieces, and this series gives the time on most of them.
 
@@ -19,10 +19,6 @@ use crate::numerics::quadrature::gauss_legendre;
 const SERIES_TERMS: usize = 14;
 /// The largest w_i/E that the series is used for.
 const MAX_WORK_RATIO: f64 = 0.1;
-/// Every fourth knot of a curve of straight pieces has a series. Series for all knots would need four times the memory and
-/// would save little time.
-const KNOT_STRIDE: usize = 4;
-
 /// A knot with more work than this has no series: the powers of the work would leave double precision.
 const MAX_WORK: f64 = 1e20;
 
@@ -41,8 +37,7 @@ const SERIES_FACTORS: [[f64; 3]; SERIES_TERMS - 1] = {
 /// The series of a curve.
 #[derive(Debug, Clone)]
 pub(super) struct TransitSeries {
-    /// Number of pieces from one knot with a series to the next.
-    every: usize,
+    /// The knots behind the first pieces, in order.
     knots: Vec<OnceLock<TransitKnot>>,
 }
 
@@ -50,8 +45,6 @@ impl TransitSeries {
     /// The series of a curve that begins with a power law from zero. No series is computed yet. The knots behind the first piece that
     /// is neither straight nor a formula have no series.
     pub(super) fn new(pieces: &[Piece]) -> Self {
-        let every =
-            if pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_))) { 1 } else { KNOT_STRIDE };
         let is_covered = |pair: &&[Piece]| {
             let has_series = match pair[0].shape {
                 Shape::Power { offset, .. } => offset == 0.0,
@@ -60,15 +53,15 @@ impl TransitSeries {
             };
             has_series && pair[1].work < MAX_WORK
         };
-        let count = pieces.windows(2).take_while(is_covered).count() / every;
-        Self { every, knots: (0..count).map(|_| OnceLock::new()).collect() }
+        let count = pieces.windows(2).take_while(is_covered).count();
+        Self { knots: (0..count).map(|_| OnceLock::new()).collect() }
     }
 
     /// The last knot that a sphere of this energy reaches fast enough for its series.
     #[inline(always)]
     pub(super) fn last_knot(&self, pieces: &[Piece], kinetic: f64) -> Option<&TransitKnot> {
         let slow_from = pieces.partition_point(|piece| piece.work <= MAX_WORK_RATIO * kinetic);
-        let count = (slow_from.saturating_sub(1) / self.every).min(self.knots.len());
+        let count = slow_from.saturating_sub(1).min(self.knots.len());
         let last = self.knots.get(count.checked_sub(1)?)?;
         last.get().or_else(|| self.knot_with_series(pieces, count))
     }
@@ -77,8 +70,7 @@ impl TransitSeries {
     #[cold]
     fn knot_with_series(&self, pieces: &[Piece], count: usize) -> Option<&TransitKnot> {
         self.knots[..count].iter().enumerate().fold(None, |before, (index, knot)| {
-            let first = index * self.every;
-            Some(knot.get_or_init(|| TransitKnot::next_knot(before, &pieces[first..=first + self.every])))
+            Some(knot.get_or_init(|| TransitKnot::behind(before, &pieces[index], &pieces[index + 1])))
         })
     }
 }
@@ -95,20 +87,11 @@ pub(super) struct TransitKnot {
 }
 
 impl TransitKnot {
-    /// The knot at the start of the last of these pieces. The first begins at the knot `before`.
-    fn next_knot(before: Option<&Self>, pieces: &[Piece]) -> Self {
-        let mut knot = before.cloned().unwrap_or(Self { piece: 0, work: 0.0, coefficients: [0.0; SERIES_TERMS] });
-        let mut straight = StraightLanes::default();
-        for (lane, pair) in pieces.windows(2).enumerate() {
-            let (piece, next) = (&pair[0], &pair[1]);
-            match &piece.shape {
-                Shape::Linear { slope, .. } => straight.set_lane(lane, piece, next, *slope),
-                _ => accumulate_piece(&mut knot.coefficients, piece, next),
-            }
-            (knot.piece, knot.work) = (knot.piece + 1, next.work);
-        }
-        straight.accumulate(&mut knot.coefficients);
-        knot
+    /// The knot at the end of a piece, where `next` begins. The piece begins at the knot `before`, or at first contact.
+    fn behind(before: Option<&Self>, piece: &Piece, next: &Piece) -> Self {
+        let (index, mut coefficients) = before.map_or((0, [0.0; SERIES_TERMS]), |knot| (knot.piece, knot.coefficients));
+        add_piece(&mut coefficients, piece, next);
+        Self { piece: index + 1, work: next.work, coefficients }
     }
 
     /// The knot, and when it is passed.
@@ -135,45 +118,8 @@ pub(crate) struct Transit {
     pub time: f64,
 }
 
-/// The straight pieces between two knots with a series, side by side: a processor computes with several of them at once.
-#[derive(Default)]
-struct StraightLanes {
-    length: [f64; KNOT_STRIDE],
-    /// w at the starts and at the ends.
-    work: [[f64; KNOT_STRIDE]; 2],
-    /// f/s there.
-    reach: [[f64; KNOT_STRIDE]; 2],
-    /// 2w − f²/s, which is the same all along a piece.
-    excess: [f64; KNOT_STRIDE],
-}
-
-impl StraightLanes {
-    fn set_lane(&mut self, lane: usize, piece: &Piece, next: &Piece, slope: f64) {
-        let (length, reach) = (next.start - piece.start, piece.force / slope);
-        self.length[lane] = length;
-        (self.work[0][lane], self.work[1][lane]) = (piece.work, next.work);
-        (self.reach[0][lane], self.reach[1][lane]) = (reach, reach + length);
-        self.excess[lane] = 2.0 * piece.work - piece.force * reach;
-    }
-
-    /// Adds what they bring to the c_k, by parts: (2k + 1) ∫ w^k dx = [f w^k]/s + k (2w − f²/s) ∫ w^(k−1) dx.
-    fn accumulate(self, coefficients: &mut [f64; SERIES_TERMS]) {
-        let Self { length: mut integral, work: [from, to], reach: [mut before, mut after], excess } = self;
-        let [first, others @ ..] = coefficients;
-        *first += integral.iter().sum::<f64>();
-        for (coefficient, [growth, of_ends, of_rest]) in others.iter_mut().zip(&SERIES_FACTORS) {
-            for lane in 0..KNOT_STRIDE {
-                before[lane] *= from[lane] * growth;
-                after[lane] *= to[lane] * growth;
-                integral[lane] = (after[lane] - before[lane]) * of_ends + of_rest * excess[lane] * integral[lane];
-            }
-            *coefficient += integral.iter().sum::<f64>();
-        }
-    }
-}
-
 /// Adds what a piece brings to the c_k.
-fn accumulate_piece(coefficients: &mut [f64; SERIES_TERMS], piece: &Piece, next: &Piece) {
+fn add_piece(coefficients: &mut [f64; SERIES_TERMS], piece: &Piece, next: &Piece) {
     let length = next.start - piece.start;
     let [first, others @ ..] = coefficients;
     match &piece.shape {
@@ -197,6 +143,18 @@ fn accumulate_piece(coefficients: &mut [f64; SERIES_TERMS], piece: &Piece, next:
                 }
             }
         }
-        Shape::Linear { .. } | Shape::Unloading(_) => {}
+        Shape::Linear { slope, .. } => {
+            // by parts: (2k + 1) ∫ w^k dx = [f w^k]/s + k (2w − f²/s) ∫ w^(k−1) dx, where 2w − f²/s is constant
+            let (mut integral, mut before) = (length, piece.force / slope);
+            let (mut after, excess) = (before + length, 2.0 * piece.work - piece.force * before);
+            *first += length;
+            for (coefficient, [growth, of_ends, of_rest]) in others.iter_mut().zip(&SERIES_FACTORS) {
+                before *= piece.work * growth;
+                after *= next.work * growth;
+                integral = (after - before) * of_ends + of_rest * excess * integral;
+                *coefficient += integral;
+            }
+        }
+        Shape::Unloading(_) => {}
     }
 }

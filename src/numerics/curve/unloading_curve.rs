@@ -8,41 +8,38 @@ use crate::numerics::functions::atan2;
 use crate::numerics::quadrature::gauss_legendre;
 use crate::numerics::root::newton_convex;
 
-/// How the force goes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// How the force rises from its zero to f_m at the distance ε.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum UnloadingCurveKind {
     /// f = (2 f_m/π)(θ − sin θ cos θ), 1 − cos θ = d/ε: unloading from uniform pressure (Mesarovic and Johnson 2000).
-    UniformPressure {
-        /// f_m.
-        force: f64,
-    },
-    /// f = k ((d + l)^1.5 − l^1.5): the Hertz curve, moved down (Yigit and Christoforou 1994).
-    ShiftedHertz {
-        /// k.
-        stiffness: f64,
-        /// l = x_r.
-        offset: f64,
-    },
+    UniformPressure,
+    /// f = f_m ((d + x_r)^1.5 − x_r^1.5)/((ε + x_r)^1.5 − x_r^1.5): the Hertz curve, moved down (Yigit and Christoforou 1994).
+    ShiftedHertz,
 }
 
-/// A branch up to its whole length ε.
+/// A branch up to its whole length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnloadingCurve {
-    pub form: UnloadingCurveKind,
+    pub kind: UnloadingCurveKind,
+    /// ε.
     pub length: f64,
+    /// f_m.
+    pub force: f64,
+    /// x_r, the indentation at the zero of the force.
+    pub residual: f64,
 }
 
 impl UnloadingCurve {
     /// f, f', f'' and the work from zero; continued as an odd function, as a power from zero is.
     pub fn derivatives_and_work(&self, d: f64) -> ([f64; 3], f64) {
-        match self.form {
+        match self.kind {
             _ if d < 0.0 => {
                 let ([f, slope, curvature], work) = self.derivatives_and_work(-d);
                 ([-f, slope, -curvature], work)
             }
-            UnloadingCurveKind::UniformPressure { .. } if d == 0.0 => ([0.0; 3], 0.0),
-            UnloadingCurveKind::UniformPressure { force } => {
-                let (s, unit) = (d / self.length, 4.0 / PI * force);
+            UnloadingCurveKind::UniformPressure if d == 0.0 => ([0.0; 3], 0.0),
+            UnloadingCurveKind::UniformPressure => {
+                let (s, unit) = (d / self.length, 4.0 / PI * self.force);
                 let (sine, cosine) = ((s * (2.0 - s)).sqrt(), 1.0 - s);
                 let (f, work) = if s < 0.25 {
                     // ∫ of f' = unit √(2 s) √(1 − s/2), and again
@@ -61,12 +58,18 @@ impl UnloadingCurve {
                 let per = unit / self.length;
                 ([unit * f, per * sine, per / self.length * cosine / sine], unit * self.length * work)
             }
-            UnloadingCurveKind::ShiftedHertz { stiffness: k, offset } => {
-                // a³ − b³ with a = √x and b = √l; only a − b = d/(a + b) cancels, which is not formed
-                let (a, b) = ((d + offset).sqrt(), offset.sqrt());
-                let above = d / (a + b);
+            UnloadingCurveKind::ShiftedHertz => {
+                // a³ − b³ with a = √x and b = √x_r; only a − b = d/(a + b) cancels, which is not formed
+                let b = self.residual.sqrt();
+                let roots = |d: f64| {
+                    let a = (d + self.residual).sqrt();
+                    (a, d / (a + b))
+                };
+                let cubes = |(a, above): (f64, f64)| above * (a * a + a * b + b * b);
+                let k = self.force / cubes(roots(self.length));
+                let (a, above) = roots(d);
                 let work = above * above * (a * a * (0.4 * a + 0.8 * b) + b * b * (1.2 * a + 0.6 * b));
-                ([k * above * (a * a + a * b + b * b), 1.5 * k * a, 0.75 * k / a], k * work)
+                ([k * cubes((a, above)), 1.5 * k * a, 0.75 * k / a], k * work)
             }
         }
     }
@@ -90,13 +93,13 @@ impl UnloadingCurve {
 
     /// The time of a motion d'' = −c f over this distance up to `to`, where the speed is `exit` (0 at a turning point).
     ///
-    /// In y, d = y (y + 2 b) with b = √l, the work of the shifted Hertz curve is a polynomial however shallow the dent; with
+    /// In y, d = y (y + 2 b) with b = √x_r, the work of the shifted Hertz curve is a polynomial however shallow the dent; with
     /// y = Y − ζ (ζ + 2 z) the root in u² = exit² + 2 c (w(to) − w) loses its singularity.
     pub fn travel_time(&self, distance: f64, to: f64, exit: f64, c: f64) -> f64 {
         if distance == 0.0 {
             return 0.0;
         }
-        let b = if let UnloadingCurveKind::ShiftedHertz { offset, .. } = self.form { offset.sqrt() } else { 0.0 };
+        let b = if self.kind == UnloadingCurveKind::ShiftedHertz { self.residual.sqrt() } else { 0.0 };
         let y_at = |d: f64| d / (b + (d + b * b).sqrt());
         let ([f, slope, curvature], whole) = self.derivatives_and_work(to);
         let (end, more) = (y_at(to), 0.5 * exit * exit / c);

@@ -14,6 +14,7 @@ mod equations;
 mod event;
 mod landing;
 mod leg;
+mod leg_steps;
 mod nystrom;
 pub mod ode_solvers;
 pub mod rk8;

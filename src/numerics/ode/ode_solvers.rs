@@ -1,8 +1,7 @@
 //! The crate `ode_solvers` (Dormand-Prince 5(4) and 8(5,3)) behind [`Integrator`]: it takes every step of every leg, in plain
 //! variables.
 //!
-//! The crate stops after the accepted step that passed an event, which is located as in `event.rs`. If the event lies well
-//! inside of the step, the crate repeats the step from its start to a little behind the event. The crate does not expose its
+//! The crate stops after the accepted step that passed an event, which is located as in `leg_steps.rs`. The crate does not expose its
 //! stages. So the continuous solution of a step, for events and traces, uses the stages of our own Dormand-Prince 8(5,3), and
 //! passes through both ends of the step of the crate.
 //!
@@ -14,13 +13,10 @@ use nalgebra::Vector3;
 use ode_solvers::dop_shared::{IntegrationError as Failure, OutputType};
 use ode_solvers::{Dop853, Dopri5, System};
 
-use super::damped_stepper::{
-    MAX_RESTEPS, RESTEP_BELOW_THETA, dense_output, is_spurious_turning_point, may_contain_event, overshooting_step,
-    step_to_distance, too_many_steps_error,
-};
+use super::damped_stepper::{step_to_distance, too_many_steps_error};
 use super::dop853::{self, ContinuousExtension};
 use super::equations::{DampedEquation, DampedPieceEquation, DampedState};
-use super::event::{DenseStep, LocatedEnd, is_past_force_maximum};
+use super::leg_steps::{LegSteps, StepOutcome, may_contain_event};
 use super::{
     DenseOutput, ErrorScales, IntegrationError, Integrator, LegProblem, LegResult, MAX_STEPS, MotionState, SolverStats,
 };
@@ -168,55 +164,32 @@ impl Integrator for OdeSolvers {
         &mut self,
         path: &LegProblem,
         state: &mut MotionState,
-        mut track: Option<&mut Vec<DenseOutput>>,
+        track: Option<&mut Vec<DenseOutput>>,
     ) -> Result<LegResult, IntegrationError> {
-        let (begun, end) = (*state, path.leg.end());
+        let begun = *state;
         if let Some(arrival) = path.immediate_turn(state) {
             return Ok(arrival);
         }
         let mut from = [begun.distance, begun.speed, begun.time, begun.loss];
-        let mut is_falling = !path.drag.acts_in_contact() || is_past_force_maximum::<PlainVariables>(path, &from);
-        let mut largest = f64::NEG_INFINITY;
-        let (mut again, mut rounds) = (None, 0);
         let most = self.work.steps + self.work.rejected + MAX_STEPS;
+        let (mut again, motion) = (None, DampedPieceEquation::<1>(*path));
+        let mut leg = LegSteps::begin::<PlainVariables>(path, &from, state, track);
         loop {
             if self.work.steps + self.work.rejected >= most {
                 return Err(too_many_steps_error(path));
             }
             // a step to just behind the predicted end of a piece needs no second step
             let time = again.take().or_else(|| time_to_end(path, &from));
-            let nodes = self.nodes(path, from, time)?;
-            for mut to in nodes.into_iter().skip(1) {
-                let crests = !is_falling && is_past_force_maximum::<PlainVariables>(path, &to);
-                let may_end = may_contain_event::<PlainVariables>(path, end, &from, &to);
-                let mut landed = None;
-                if may_end || crests || track.is_some() {
-                    let step = DenseStep { path, end, solution: dense_output_between(path, &from, &to) };
-                    landed = if may_end { step.locate_end::<PlainVariables>() } else { None };
-                    if let Some(landed) = &landed {
-                        let length = to[2] - from[2];
-                        if landed.theta < RESTEP_BELOW_THETA && rounds < MAX_RESTEPS {
-                            (again, rounds) = (Some(overshooting_step(landed.theta * length)), rounds + 1);
-                            break;
-                        }
-                        if is_spurious_turning_point(DampedPieceEquation::<1>(*path), path, landed) {
-                            again = Some(0.5 * length);
-                            break;
-                        }
-                        to = landed.node;
-                    }
-                    if crests {
-                        largest = step.max_contact_force::<PlainVariables>(landed.map_or(1.0, |landed| landed.theta));
-                        is_falling = true;
-                    }
-                    if let Some(track) = track.as_deref_mut() {
-                        track.push(dense_output(step.solution, to[2], |distance| distance));
-                    }
+            for to in self.nodes(path, from, time)?.into_iter().skip(1) {
+                let length = to[2] - from[2];
+                match leg.take(motion, [&from, &to], || dense_output_between(path, &from, &to)) {
+                    StepOutcome::Continues => from = to,
+                    StepOutcome::Ends(result) => return Ok(result),
+                    StepOutcome::Overshoots { share } => again = Some(share * length),
+                    StepOutcome::TurnsFalsely => again = Some(0.5 * length),
                 }
-                (from, rounds) = (to, 0);
-                if let Some(LocatedEnd { landing, .. }) = landed {
-                    let at = MotionState { time: to[2], distance: to[0], speed: to[1], loss: to[3] };
-                    return Ok(path.finish(landing, at, state, largest));
+                if again.is_some() {
+                    break;
                 }
             }
         }

@@ -11,7 +11,7 @@ use crate::units::{Dimension, format_four_digits, format_result};
 /// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
 pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
     let trace = &impact.trace;
-    let peak = (impact.peak_indentation, impact.force_at_peak_indentation);
+    let peak = (impact.row.peak_indentation, impact.force_at_peak_indentation);
     let ink = |mark| Style::marker(mark, FOREGROUND);
     let to_peak = Style::line(GREY, 1.5);
     let mut series = vec![Series::line("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).with_style(to_peak)];
@@ -30,16 +30,16 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
     series.extend((!points.is_empty()).then(|| Series::points("First yield", points).with_style(ink(Marker::Diamond))));
     let length = |name: &str, value| format!("{name} = {}", format_result(value, Dimension::Length));
     let turning = Series::points(peak_name(impact), vec![peak]).with_style(ink(Marker::Square));
-    series.push(turning.with_note(force_at_peak(impact)).with_note(length("δₘ", impact.peak_indentation)));
-    if impact.has_dent() {
-        let residual = impact.residual_indentation;
+    series.push(turning.with_note(force_at_peak(impact)).with_note(length("δₘ", impact.row.peak_indentation)));
+    if impact.row.has_dent() {
+        let residual = impact.row.residual_indentation;
         let dent = Series::points("Residual indentation", vec![(residual, 0.0)]).with_style(ink(Marker::TriangleDown));
         series.push(dent.with_note(length("δᵣ", residual)));
     }
-    let x = Axis::linear("Indentation", "m").with_range(0.0, 1.06 * impact.peak_indentation);
-    let y = Axis::linear("Force", "N").with_range(0.0, 1.08 * impact.peak_force);
+    let x = Axis::linear("Indentation", "m").with_range(0.0, 1.06 * impact.row.peak_indentation);
+    let y = Axis::linear("Force", "N").with_range(0.0, 1.08 * impact.row.peak_force);
     // without dent and damping, unloading lies on loading
-    let has_two = impact.has_dent() || is_damped(impact);
+    let has_two = impact.row.has_dent() || is_damped(impact);
     let branches: &[&str] = if has_two { &["loading", "unloading"] } else { &["loading and unloading"] };
     let chart = Chart::new(title(impact), [x, y], series).with_branches(branches);
     Ok(loops::with_sphere_panel(chart, of_sphere))
@@ -69,7 +69,7 @@ pub(in crate::report) fn title(impact: &Impact) -> String {
     });
     let end = match impact.captured_result() {
         Some(_) => "captured".to_owned(),
-        None => format!("restitution e = {}", format_four_digits(impact.restitution)),
+        None => format!("restitution e = {}", format_four_digits(impact.row.restitution)),
     };
     format!("Impact at {}{angle}: {end}", format_result(impact.speed, Dimension::Speed))
 }

@@ -26,14 +26,14 @@ pub fn history(impact: &Impact) -> Result<Chart, Error> {
             Series::line(*name, points.collect()).with_style(loops::loop_style(i, *width))
         })
         .collect();
-    drawn[0].legend_texts.push(format!("δₘ = {}", format_result(impact.peak_indentation, Dimension::Length)));
+    drawn[0].legend_texts.push(format!("δₘ = {}", format_result(impact.row.peak_indentation, Dimension::Length)));
     let speed = Series::line("Speed δ′", points(|row| row.speed)).with_style(thin(4));
     let speed = speed.with_note(format!("impact at {}", format_result(impact.speed, Dimension::Speed)));
     let (slowest, fastest) = min_max(impact.trace.iter().map(|row| row.speed));
     let y = |title, unit, low: f64, high: f64| Axis::linear(title, unit).with_range(1.1 * low, 1.1 * high);
     let mut panels = vec![
-        Panel::new(y("Force", "N", 0.0, impact.peak_force), vec![force]),
-        Panel::new(y("Indentation", "m", 0.0, impact.peak_indentation), drawn),
+        Panel::new(y("Force", "N", 0.0, impact.row.peak_force), vec![force]),
+        Panel::new(y("Indentation", "m", 0.0, impact.row.peak_indentation), drawn),
         Panel::new(y("Speed", "m/s", slowest.min(0.0), fastest.max(0.0)), vec![speed]),
     ];
     panels[2].guides.push(Series::horizontal(0.0, "").with_style(Style::line(FOREGROUND, 1.5)));
@@ -62,11 +62,11 @@ fn event_guides(impact: &Impact) -> Vec<Series> {
             end("Captured").with_note(format!("rest at δ = {rest}"))
         }
     };
-    if impact.has_dent() {
+    if impact.row.has_dent() {
         end = end.with_note(format!(
             "{} δᵣ = {}",
-            impact.imprint_name(),
-            format_result(impact.residual_indentation, Dimension::Length)
+            impact.row.imprint_name(),
+            format_result(impact.row.residual_indentation, Dimension::Length)
         ));
     }
     // a sphere that comes to rest at its deepest point has one line there

@@ -18,7 +18,7 @@ const MAX_POINTS: usize = 200_000;
 /// The height of the lowest point of the sphere against time. `None` for shots, which have no times.
 pub fn height_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Option<Chart> {
     let last = sequence.impacts.last()?;
-    let end = last.time? + if last.contact_time.is_finite() { last.contact_time } else { 0.0 };
+    let end = last.time? + if last.impact.row.contact_time.is_finite() { last.impact.row.contact_time } else { 0.0 };
     let flights: Vec<&Flight> =
         sequence.fall.iter().chain(sequence.impacts.iter().filter_map(|hit| hit.flight.as_ref())).collect();
     let points = (MAX_POINTS / flights.len().max(1)).clamp(2, FLIGHT_POINTS as usize);
@@ -81,20 +81,20 @@ pub fn impacts_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Chart {
         Panel::new(y.with_range(0.0, highest), vec![series])
     };
     let last = sequence.impacts.len() as f64;
-    let fastest = sequence.impacts.iter().map(|hit| hit.speed).fold(0.0, f64::max);
-    let largest = sequence.impacts.iter().map(|hit| hit.measured_restitution()).fold(0.0, f64::max);
-    let has_waves = sequence.impacts.iter().any(|hit| hit.wave_loss_fraction.is_some());
+    let fastest = sequence.impacts.iter().map(|hit| hit.approach.normal).fold(0.0, f64::max);
+    let largest = sequence.impacts.iter().map(|hit| hit.impact.row.measured_restitution()).fold(0.0, f64::max);
+    let has_waves = sequence.impacts.iter().any(|hit| hit.impact.row.wave_loss_fraction.is_some());
     let name = if has_waves { "Restitution e with waves" } else { "Restitution e" };
     let top = if largest > 0.8 { 1.1 } else { 1.2 * largest };
     let mut panels = vec![
-        panel(Axis::linear("Speed", "m/s"), 1.15 * fastest, "Impact speed v", 4, |hit| hit.speed),
-        panel(Axis::linear("Restitution", ""), top, name, 0, |hit| hit.measured_restitution()),
+        panel(Axis::linear("Speed", "m/s"), 1.15 * fastest, "Impact speed v", 4, |hit| hit.approach.normal),
+        panel(Axis::linear("Restitution", ""), top, name, 0, |hit| hit.impact.row.measured_restitution()),
     ];
     let deepest = sequence.deepest_dent();
     if deepest > 0.0 {
         let mark = capitalise(sequence.imprint_name());
         let y = Axis::linear(&format!("{mark} depth"), "m");
-        panels.push(panel(y, 1.15 * deepest, &format!("{mark} δᵣ"), 1, |hit| hit.residual_indentation));
+        panels.push(panel(y, 1.15 * deepest, &format!("{mark} δᵣ"), 1, |hit| hit.impact.row.residual_indentation));
     }
     let x = if last > 200.0 {
         Axis::log("Impact", "").with_range(0.9, 1.1 * last)
@@ -113,18 +113,19 @@ const MAX_LOOPS: usize = 300;
 
 /// Force against approach of all traced impacts, for loading and unloading.
 pub fn loops_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Result<Chart, Error> {
-    let traced = &sequence.traced_impacts;
+    let traced: Vec<&Impact> = sequence.traced_impacts().iter().map(|hit| &hit.impact).collect();
     if traced.is_empty() {
         return Err(Error::failed("loops need traces: run the series with samples"));
     }
     // identical impacts have one loop
-    let same = |a: &Impact, b: &Impact| {
-        let identity = |one: &Impact| (one.speed, one.restitution, one.peak_indentation);
+    let same = |a: &&Impact, b: &&Impact| {
+        let identity = |one: &Impact| (one.speed, one.row.restitution, one.row.peak_indentation);
         identity(a) == identity(b)
     };
-    let groups: Vec<&[Impact]> = traced.chunk_by(same).collect();
+    let groups: Vec<&[&Impact]> = traced.chunk_by(same).collect();
     let mut named = spaced_indices(groups.len(), MAX_COLORED_LOOPS);
-    let largest = (0..groups.len()).max_by(|a, b| groups[*a][0].peak_force.total_cmp(&groups[*b][0].peak_force));
+    let largest =
+        (0..groups.len()).max_by(|a, b| groups[*a][0].row.peak_force.total_cmp(&groups[*b][0].row.peak_force));
     if let Some(largest) = largest.filter(|largest| !named.contains(largest)) {
         named.push(largest);
         named.sort_unstable();
@@ -135,29 +136,30 @@ pub fn loops_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Result<Cha
     let grey = Style::line(GREY, 1.5);
     let mut series: Vec<Series> = spaced_indices(traced.len(), MAX_LOOPS)
         .into_iter()
-        .flat_map(|i| one_loop(&traced[i], String::new(), grey))
+        .flat_map(|i| one_loop(traced[i], String::new(), grey))
         .collect();
     // loops lie on each other where they follow the same branch, so each is narrower than the one before
     for (i, number) in named.iter().enumerate() {
         let first = 1 + groups[..*number].iter().map(|group| group.len()).sum::<usize>();
-        let (impact, count) = (&groups[*number][0], groups[*number].len());
+        let (impact, count) = (groups[*number][0], groups[*number].len());
         let name =
             if count == 1 { format!("Impact {first}") } else { format!("Impacts {first} to {}", first + count - 1) };
         let mut drawn = one_loop(impact, name, loops::loop_style(i, loop_width(i, named.len())));
         let about = format!(
             "{}, e = {}",
             format_result(impact.speed, Dimension::Speed),
-            format_four_digits(impact.restitution)
+            format_four_digits(impact.row.restitution)
         );
         drawn.iter_mut().take(1).for_each(|first| first.legend_texts.push(about.clone()));
         series.extend(drawn);
     }
-    let deepest = traced.iter().map(|impact| impact.peak_indentation).fold(0.0, f64::max);
+    let deepest = traced.iter().map(|impact| impact.row.peak_indentation).fold(0.0, f64::max);
     let strongest = traced.iter().flat_map(|impact| &impact.trace).map(|row| row.force).fold(0.0, f64::max);
     let [x, y] = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
-    let least =
-        |value: fn(&Impact) -> f64| traced.iter().map(value).filter(|least| *least > 0.0).fold(f64::MAX, f64::min);
-    let (shallowest, weakest) = (least(|impact| impact.peak_indentation), least(|impact| impact.peak_force));
+    let least = |value: fn(&Impact) -> f64| {
+        traced.iter().copied().map(value).filter(|least| *least > 0.0).fold(f64::MAX, f64::min)
+    };
+    let (shallowest, weakest) = (least(|impact| impact.row.peak_indentation), least(|impact| impact.row.peak_force));
     let axes = if strongest > LOG_AXIS_RATIO * weakest {
         [
             x.logarithmic().with_range(0.1 * shallowest, 1.2 * deepest),

@@ -23,7 +23,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     check_trace_method(scenario, &input)?;
     let refuse = |reason| no_result_error(scenario, &reason);
     // the strength is that of this speed from here on
-    let [speed, _] = input.approach().components();
+    let speed = input.approach().normal;
     let contact = contact.at_speed(speed).map_err(refuse)?;
     let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
     impact.warnings.extend(scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact));
@@ -52,7 +52,7 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
 
 pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, impact) = compute(scenario, options.map(|_| scenario.input().samples()))?;
-    let notes = strength_notes(&input, &contact, impact.has_dent(), &[]);
+    let notes = strength_notes(&input, &contact, impact.row.has_dent(), &[]);
     let Some(options) = options else {
         let (text, checked) = (overview(&input, &contact, &notes), contact_fields(&input, &contact));
         return Ok(Outcome { notes, ..Outcome::from_check(warning_texts(&impact.warnings), text, checked) });
@@ -67,7 +67,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
         drawn.extend(pictures::friction(&impact).map(|friction| ("friction", friction)));
         Ok(with_captions(drawn, &caption(&input, &[])))
     })?);
-    let interval = restitution_interval(&input, &contact, impact.speed, &impact.essentials);
+    let interval = restitution_interval(&input, &contact, impact.speed, &impact.row);
     let drop_height = input.drop_height();
     let single =
         SingleImpact { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };

@@ -41,7 +41,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     idle.extend(input.flight_warnings());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(warning_texts(&idle)).collect();
-    let has_dent = sequence.impacts.iter().any(|hit| hit.has_dent());
+    let has_dent = sequence.impacts.iter().any(|hit| hit.impact.row.has_dent());
     let notes = strength_notes(&input, &contact, has_dent, &[]);
     let Some(options) = options else {
         let text = report::series_lines(&repeat) + &overview(&input, &contact, &notes);

@@ -39,7 +39,7 @@ pub fn contact_results() -> Vec<ResultSpec<Contact>> {
 
 /// The contact with the strengths at the strain rate of the speed, where they depend on it.
 pub(super) fn contact_at_own_speed(input: &Input, contact: &Contact) -> Contact {
-    let [speed, _] = input.approach().components();
+    let speed = input.approach().normal;
     contact.at_speed(speed).unwrap_or_else(|_| contact.clone())
 }
 

@@ -19,7 +19,7 @@ type Row = [String; 2];
 /// A few aligned lines, and the notes.
 pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     let mut rows = Vec::new();
-    let [speed, _] = input.approach().components();
+    let speed = input.approach().normal;
     let contact = &check::contact_at_own_speed(input, contact);
     let law = input.law();
     for [key, text] in self::input_rows(&Inputs::new(input)) {

@@ -30,7 +30,7 @@ pub fn summary_fields(series: &SeriesReport) -> Map<String, Value> {
 
 /// `impacts.csv`: one row per impact.
 pub fn impacts_csv(sequence: &SeriesResult) -> Result<Vec<u8>, Error> {
-    csv_bytes(&results::impact_columns(), (1..).zip(sequence.impacts.iter().copied()))
+    csv_bytes(&results::impact_columns(), (1..).zip(&sequence.impacts))
 }
 
 /// `trace.csv`: the impacts that were traced, and the flights between them.
@@ -40,9 +40,9 @@ pub fn trace_csv(sequence: &SeriesResult, samples: usize) -> Result<Vec<u8>, Err
     if let Some(fall) = &sequence.fall {
         push_flight_rows(0, fall, hops, samples, &mut rows);
     }
-    for (i, (hit, impact)) in sequence.impacts.iter().zip(&sequence.traced_impacts).enumerate() {
+    for (i, hit) in sequence.traced_impacts().iter().enumerate() {
         let mut at: Option<(f64, f64, f64)> = None;
-        rows.extend(impact.trace.iter().map(|row| SeriesTraceRow {
+        rows.extend(hit.impact.trace.iter().map(|row| SeriesTraceRow {
             impact: i + 1,
             time: hit.time.unwrap_or(0.0) + row.time,
             position: row.friction.map(|friction| {
@@ -92,8 +92,7 @@ pub fn terminal_table(series: &SeriesReport, detail: Detail) -> String {
     let hits = &series.sequence.impacts;
     let is_shown =
         |(number, _): &(usize, &SeriesImpact)| *number <= SHOWN_IMPACTS.0 || number + SHOWN_IMPACTS.1 > hits.len();
-    let shown: Vec<(usize, SeriesImpact)> =
-        (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
+    let shown: Vec<(usize, &SeriesImpact)> = (1..).zip(hits).filter(is_shown).collect();
     let mut rows = terminal::result_columns(&results::impact_columns(), &shown);
     if shown.len() < hits.len() {
         rows.insert(SHOWN_IMPACTS.0 + 1, vec!["...".to_owned()]);

@@ -39,20 +39,20 @@ pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
         |name: &str| ["accuracy.", "work.", "energy.balance_error"].iter().any(|begin| name.starts_with(begin));
     let mut results = impact_results();
     let is_brief = detail == Detail::Brief;
-    let is_shared = impact.has_flat() && impact.dent_depth() > 0.0;
+    let is_shared = impact.row.has_flat() && impact.row.dent_depth() > 0.0;
     let is_idle = |name: &str| match name {
         // parts of a sum with one part
         "dent_depth_m" | "flat_depth_m" => !is_shared,
         // springs know no bodies: they have no rim, and do not yield
         "dent_diameter_m" | "yield_speed_m_per_s" if single.contact.is_spring() => true,
-        "dent_diameter_m" => impact.has_flat() && !is_shared,
+        "dent_diameter_m" => impact.row.has_flat() && !is_shared,
         name => detail != Detail::Full && is_of_the_integrator(name),
     };
     results.retain(|result| !is_idle(result.name) && (!is_brief || BRIEF_RESULTS.contains(&result.name)));
     let speed = ["impact speed".to_owned(), format_result(impact.speed, Dimension::Speed), String::new()];
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
     lines.extend(self::result_lines(&results, single));
-    replace_imprint_word(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.imprint_name()));
+    replace_imprint_word(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.row.imprint_name()));
     put_measured_first(&mut lines);
     mark_doubtful(&mut lines, impact);
     align_columns(&lines, |_| true) + &notes_text(single.notes)
@@ -83,14 +83,14 @@ fn mark_doubtful(lines: &mut [Line], impact: &Impact) {
     let is_nearly_0 = has(WarningKind::InelasticPlate, 0.0);
     // the size is the sticking speed over the impact speed
     let sticks = has(WarningKind::Adhesion, 1.0);
-    let restitution = impact.measured_restitution();
-    let is_small = impact.plate.is_some() && restitution < SMALL;
+    let restitution = impact.row.measured_restitution();
+    let is_small = impact.row.plate.is_some() && restitution < SMALL;
     for [name, value, _] in lines {
         match name.as_str() {
             "restitution" if is_nearly_0 => *value = nearly_0(restitution),
             "restitution" if is_small => *value = format!("below {SMALL}"),
             "rebound speed" | "rebound height" if is_nearly_0 => "nearly 0".clone_into(value),
-            "restitution" | "restitution without waves" if impact.is_outside_validity => {
+            "restitution" | "restitution without waves" if impact.row.is_outside_validity => {
                 value.push_str(" (outside the range of validity)");
             }
             "restitution" | "restitution without waves" | "rebound speed" | "rebound height" if sticks => {

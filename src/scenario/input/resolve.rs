@@ -9,8 +9,8 @@ use crate::contact::law::LawChoice;
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
-    Approach, Contact, Damping, Forces, ImpactError, Incidence, MaterialNames, Method, Plate, PlateTheory,
-    STANDARD_GRAVITY, Solver,
+    Approach, Contact, Damping, Forces, ImpactError, MaterialNames, Method, Plate, PlateTheory, STANDARD_GRAVITY,
+    Solver,
 };
 use crate::materials::{MaterialEntry, all_materials};
 use crate::scenario::keys::{Part, body_key, key};
@@ -140,15 +140,22 @@ impl Input {
         self.number(key!("gravity.acceleration")).unwrap_or(STANDARD_GRAVITY)
     }
 
-    /// Angle, spin and friction, if an angle or a spin is given.
+    /// True if an angle or a spin is given, so that friction is computed.
     #[inline]
-    pub fn incidence(&self) -> Option<Incidence> {
-        let (angle, spin) = (self.number(key!("impact.angle")), self.number(key!("sphere.spin")));
-        (angle.is_some() || spin.is_some()).then(|| Incidence {
-            angle: angle.unwrap_or(0.0),
-            spin: spin.unwrap_or(0.0),
-            friction: self.number(key!("friction.coefficient")).unwrap_or(0.0),
-        })
+    pub fn is_oblique(&self) -> bool {
+        self.number(key!("impact.angle")).is_some() || self.number(key!("sphere.spin")).is_some()
+    }
+
+    /// The angle of the impact from the normal \[rad\].
+    #[inline]
+    pub fn angle(&self) -> f64 {
+        self.number(key!("impact.angle")).unwrap_or(0.0)
+    }
+
+    /// The spin of the sphere \[rad/s\].
+    #[inline]
+    fn spin(&self) -> f64 {
+        self.number(key!("sphere.spin")).unwrap_or(0.0)
     }
 
     /// Speed, angle and spin at first contact.
@@ -160,7 +167,11 @@ impl Input {
     /// Replaces the speed of [`Input::approach`].
     #[inline]
     pub fn approach_at(&self, speed: f64) -> Approach {
-        Approach { speed, incidence: self.incidence() }
+        if !self.is_oblique() {
+            return speed.into();
+        }
+        let friction = self.number(key!("friction.coefficient")).unwrap_or(0.0);
+        Approach::at_angle(speed, self.angle(), self.spin(), friction)
     }
 
     /// Method and tolerance.
@@ -231,9 +242,9 @@ impl Input {
         input.replace_strength(Body::Sphere, sphere.yield_strength);
         input.replace_strength(Body::HalfSpace, half_space.yield_strength);
         input.set(key!("impact.speed"), Some(self.speed()));
-        if let Some(Incidence { angle, spin, .. }) = self.incidence() {
-            input.set(key!("impact.angle"), Some(angle));
-            input.set(key!("sphere.spin"), Some(spin));
+        if self.is_oblique() {
+            input.set(key!("impact.angle"), Some(self.angle()));
+            input.set(key!("sphere.spin"), Some(self.spin()));
         }
         input.set_default_method(self.solver().method);
         let is_on_plate = self.forces().plate.is_some();

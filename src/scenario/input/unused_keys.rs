@@ -46,7 +46,7 @@ pub fn unused_reason(path: &str, inputs: &[Input], purpose: RunKind) -> Option<&
         | "half_space.thickness"
         | "half_space.plate" => (!is_moving, "a quasi-static indentation needs no mass, density or plate"),
         "sphere.moment_of_inertia" | "friction.coefficient" => (
-            !is_moving || all(|input| input.incidence().is_none()),
+            !is_moving || all(|input| !input.is_oblique()),
             "friction acts only if impact.angle or sphere.spin is given",
         ),
         "air.viscosity" => {

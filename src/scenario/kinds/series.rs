@@ -35,14 +35,14 @@ impl Scenario {
             return refuse("repeat", &format!("the key `spot` is missing: {SPOT_TEXT}"));
         };
         let place = SpotMode::ALL[place];
-        if first.incidence().is_some() && place == SpotMode::Same {
+        if first.is_oblique() && place == SpotMode::Same {
             return refuse(
                 "repeat.spot",
                 "oblique or spinning impacts never hit the same spot. Write spot = \"fresh\".",
             );
         }
         let drop_height = input.number(key!("impact.drop_height"));
-        if drop_height.is_some() && first.incidence().is_some_and(|incidence| incidence.angle != 0.0) {
+        if drop_height.is_some() && first.angle() != 0.0 {
             return refuse(
                 "impact.drop_height",
                 "a drop has no impact angle. Give impact.speed instead, or remove impact.angle.",

@@ -150,7 +150,7 @@ impl Plan {
             Requirement::Target | Requirement::Struck if !is_free => {
                 Some("the target is fixed, because half_space.mass is not given")
             }
-            Requirement::Incidence | Requirement::Struck if input.incidence().is_none() => {
+            Requirement::Incidence | Requirement::Struck if !input.is_oblique() => {
                 Some("friction acts only if impact.angle or sphere.spin is given")
             }
             Requirement::Density if is_on_plate => {
@@ -269,7 +269,7 @@ impl Plan {
     pub fn row_time_us(&self) -> f64 {
         let of_case = |input: &Input| {
             // with partial slip
-            let friction = input.incidence().map_or(0.0, |_| 150.0);
+            let friction = if input.is_oblique() { 150.0 } else { 0.0 };
             let solver = input.solver();
             friction
                 + match solver.method {

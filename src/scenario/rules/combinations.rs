@@ -211,7 +211,7 @@ impl Scenario {
         let Some(mass) = input.number(key!("half_space.mass")) else { return Ok(()) };
         if mass.is_finite() {
             let message = "an oblique impact on a free target requires a ball. Write half_space.mass = \"ball\", or remove impact.angle and sphere.spin.";
-            return if input.incidence().is_some() { refuse("half_space.mass", message) } else { Ok(()) };
+            return if input.is_oblique() { refuse("half_space.mass", message) } else { Ok(()) };
         }
         match radius {
             None => Err(self.document.missing_key("half_space", "radius")),

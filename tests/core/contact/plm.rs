@@ -10,7 +10,7 @@ use crate::common::prelude::*;
 /// Restitution of a quasi-static cycle to x: square root of recovered over spent work.
 fn restitution(law: &Law, x: f64) -> f64 {
     let peak = law.loaded_state(x);
-    (law.unloading(peak).stored_energy(x) / law.loading.work(x)).sqrt()
+    (law.unload(peak).stored_energy(x) / law.loading.work(x)).sqrt()
 }
 
 #[test]
@@ -73,7 +73,7 @@ proptest! {
         let law = Scene { exponent, ..scene }.law();
         let x = 10_f64.powf(log_x);
         let peak = law.loaded_state(x);
-        let unloading = law.unloading(peak);
+        let unloading = law.unload(peak);
         // Eq. 19: F(δ_m) = F_m, F(δ_r) = 0; x − x_r loses digits by the factor x/ε
         prop_assert!(relative_error(unloading.force(x), peak.force) < 4e-15 * x / peak.elastic_approach);
         prop_assert_eq!(unloading.force(peak.residual()), 0.0);
@@ -116,7 +116,7 @@ fn radius_ratio_and_exponent_have_their_end_values() {
     // after elastic loading, unloading follows Hertz for every choice
     for exponent in [UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape] {
         let law = Scene { exponent, ..Scene::case_3() }.law();
-        assert_eq!(law.unloading(law.loaded_state(0.9)).exponent, 1.5);
+        assert_eq!(law.unload(law.loaded_state(0.9)).exponent, 1.5);
     }
 }
 

@@ -20,7 +20,12 @@ fn series_on_one_spot_warns_of_exponent_once() {
         mode: SeriesMode::Shots(vec![speed, speed, 1.05 * speed, 3.0 * speed]),
     };
     let sequence = repeat.run(&contact, &Solver::AUTO, 0, None).unwrap();
-    assert!(sequence.impacts.iter().all(|hit| hit.restitution <= 1.0 && hit.energy.plastic.unwrap() >= 0.0));
+    assert!(
+        sequence
+            .impacts
+            .iter()
+            .all(|hit| hit.impact.row.restitution <= 1.0 && hit.impact.energy.plastic.unwrap() >= 0.0)
+    );
     assert!(matches!(sequence.warnings[..], [(1, Warning { kind: WarningKind::RaisedExponent, .. })]));
 }
 
@@ -74,7 +79,7 @@ fn an_exponent_is_never_below_one() {
     for speed in [0.1, 3.0, 10.0, 20.0] {
         for contact in [&hardening, &perfect] {
             let exact = contact.closed_form(speed).unwrap();
-            assert!(exact.unloading_exponent >= 1.0 && exact.restitution <= 1.0, "{speed} {exact:?}");
+            assert!(exact.unloading_exponent >= 1.0 && exact.row.restitution <= 1.0, "{speed} {exact:?}");
             for (method, _) in STEPPING {
                 let stepped = contact.impact(speed, &solver(method, 1e-11), None).unwrap();
                 assert!(max_relative_error(&stepped, &exact) < 1e-9, "{speed} {}", method.name());

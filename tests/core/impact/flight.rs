@@ -149,7 +149,7 @@ fn an_impact_and_a_series_fly_in_air() {
     let flying = contact.forces().flight.unwrap();
     assert_eq!(speed, flying.landing_speed(2.0));
     let impact = contact.impact(speed, &Solver::AUTO, None).unwrap();
-    assert_eq!(impact.rebound_height, Some(flying.rise_height(impact.rebound_speed)));
+    assert_eq!(impact.row.rebound_height, Some(flying.rise_height(impact.rebound_speed)));
     let drive =
         SeriesMode::Bouncing { gravity: 9.81, drop_height: Some(2.0), approach: speed.into(), most: 6, until: None };
     for place in [SpotMode::Same, SpotMode::Fresh] {
@@ -159,19 +159,19 @@ fn an_impact_and_a_series_fly_in_air() {
         for pair in series.impacts.windows(2) {
             let (hit, flight) = (&pair[0], pair[0].flight.unwrap());
             assert_relative_eq!(hit.time.unwrap(), time, max_relative = 1e-13);
-            let climb = if place == SpotMode::Fresh { hit.residual_indentation } else { 0.0 };
+            let climb = if place == SpotMode::Fresh { hit.impact.row.residual_indentation } else { 0.0 };
             let fall = flying.rise_height(hit.rebound_speed) - climb;
-            assert_relative_eq!(pair[1].speed, flying.landing_speed(fall), max_relative = 1e-13);
+            assert_relative_eq!(pair[1].approach.normal, flying.landing_speed(fall), max_relative = 1e-13);
             assert_relative_eq!(
                 flight.duration,
                 flying.rise_time(hit.rebound_speed) + flying.fall_time(fall),
                 max_relative = 1e-13
             );
-            assert!(flight.height_at(flight.duration).abs() < 1e-9 + hit.residual_indentation);
+            assert!(flight.height_at(flight.duration).abs() < 1e-9 + hit.impact.row.residual_indentation);
             let (free, top) = (flight.without_air().apex_height(), flight.apex_height());
             // for slow flights buoyancy is more than drag
-            assert!(free > top || hit.speed < 1.0, "{free} {top} {flight:?}");
-            time += hit.contact_time + flight.duration;
+            assert!(free > top || hit.approach.normal < 1.0, "{free} {top} {flight:?}");
+            time += hit.impact.row.contact_time + flight.duration;
         }
     }
 }
@@ -259,7 +259,7 @@ fn time_to_rest_sums_flights_in_air() {
         let first = &series(1);
         let (rest, last) = (first.remaining_time.unwrap(), first.impacts.last().unwrap());
         assert!(relative_error(rest, whole) < 1e-3, "{height}: {rest} {whole}");
-        let in_vacuum = 2.0 * last.rebound_speed / 9.81 / (1.0 - last.restitution);
+        let in_vacuum = 2.0 * last.rebound_speed / 9.81 / (1.0 - last.impact.row.restitution);
         assert!(rest < in_vacuum * if height > 1.0 { 0.8 } else { 1.0 }, "{height}: {rest} {in_vacuum}");
     }
 }

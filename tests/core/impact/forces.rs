@@ -58,9 +58,9 @@ fn hunt_crossley_restitution_has_slope_two_thirds() {
     }
     // the force never pulls, even with strong damping
     let impact = contact(100.0).impact(10.0, &Solver::default(), Some(100)).unwrap();
-    assert!(impact.restitution > 0.0);
+    assert!(impact.row.restitution > 0.0);
     // G(−e v) = G(v) with χ v = 1000: e χ v + ln(1 − e χ v) = ln 1001 − 1000, so e χ v = 1 − e^(−992…)
-    assert!(relative_error(impact.restitution, 1e-3) < 1e-9);
+    assert!(relative_error(impact.row.restitution, 1e-3) < 1e-9);
     assert!(impact.trace.iter().all(|row| row.force >= 0.0));
 }
 
@@ -72,9 +72,9 @@ fn viscous_hertz_restitution_is_independent_of_speed() {
             contact_with_forces(&elastic(), viscous(zeta)).impact(speed, &solver(Method::Rk8, 1e-11), None).unwrap()
         };
         let (slow, fast) = (at(1e-3), at(10.0));
-        assert!(relative_error(slow.restitution, fast.restitution) < 1e-9, "{zeta}");
+        assert!(relative_error(slow.row.restitution, fast.row.restitution) < 1e-9, "{zeta}");
         // contact time as v^(−1/5)
-        assert!(relative_error(slow.contact_time / fast.contact_time, 1e4_f64.powf(0.2)) < 1e-9);
+        assert!(relative_error(slow.row.contact_time / fast.row.contact_time, 1e4_f64.powf(0.2)) < 1e-9);
     }
 }
 
@@ -84,14 +84,14 @@ fn overdamped_contact_separates_or_creeps_under_gravity() {
     for zeta in [1.0, 2.0, 20.0] {
         // during the rebound only a pulling force could slow the sphere down, and the contact never pulls
         let impact = contact_with_forces(&scene, viscous(zeta)).impact(3.0, &Solver::default(), None).unwrap();
-        assert!(fate(&impact) == ImpactEnd::Separated && impact.restitution > 0.0 && impact.restitution < 0.1);
+        assert!(fate(&impact) == ImpactEnd::Separated && impact.row.restitution > 0.0 && impact.row.restitution < 0.1);
         let both = Forces { gravity: Some(1e6), ..viscous(zeta) };
         for speed in [0.0, 1e-3, 0.1] {
             let mut times = Vec::new();
             for (method, _) in STEPPING {
                 let impact = contact_with_forces(&scene, both).impact(speed, &solver(method, 1e-9), Some(40)).unwrap();
                 let report = impact.forces_result.unwrap();
-                assert_eq!((report.fate, impact.restitution), (ImpactEnd::Captured, 0.0));
+                assert_eq!((report.fate, impact.row.restitution), (ImpactEnd::Captured, 0.0));
                 let at_rest = report.static_indentation.unwrap();
                 // the end is within a thousandth of the static indentation, or at an earlier turning point
                 let distance = (report.end_indentation / at_rest - 1.0).abs();
@@ -133,7 +133,7 @@ fn fixed_steps_follow_strong_damping_to_dent() {
             let exact = contact.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
             let error = |steps_per_contact| {
                 let verlet = Solver { method: Method::Verlet, steps_per_contact, ..Solver::default() };
-                relative_error(contact.impact(speed, &verlet, None).unwrap().contact_time, exact.contact_time)
+                relative_error(contact.impact(speed, &verlet, None).unwrap().row.contact_time, exact.row.contact_time)
             };
             assert!(error(50) < 0.15 && error(5000) < 0.01, "{speed} {} {}", error(50), error(5000));
         }
@@ -147,6 +147,6 @@ fn auto_matches_energy_and_rk8_under_gravity() {
     let contact = contact_with_forces(&Scene::steel(), gravity(1e4));
     let [auto, stepped] = [Method::Auto, Method::Rk8].map(|method| contact.row(0.5, &solver(method, 1e-5)).unwrap());
     assert_eq!(auto.contact_time, stepped.contact_time);
-    assert_eq!(auto.restitution, contact.closed_form(0.5).unwrap().restitution);
+    assert_eq!(auto.restitution, contact.closed_form(0.5).unwrap().row.restitution);
     assert!(auto.restitution != stepped.restitution && relative_error(stepped.restitution, auto.restitution) < 1e-4);
 }

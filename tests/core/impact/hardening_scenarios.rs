@@ -67,7 +67,7 @@ proptest! {
         let impact = contact.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         // the curve is used up to a strain of 0.37 (√(δ/R) − √(δ_Y/R))
         let at = |indentation: f64| (indentation / 5e-3).sqrt();
-        let asked = 0.37 * (at(impact.peak_indentation) - at(contact.pair().yield_point.unwrap().indentation));
+        let asked = 0.37 * (at(impact.row.peak_indentation) - at(contact.pair().yield_point.unwrap().indentation));
         let is_beyond = impact.warnings.iter().any(|warning| warning.to_string().contains("The flow curve ends"));
         prop_assert_eq!(is_beyond, asked > 3.0 * strain, "{} {}", asked, 3.0 * strain);
     }

@@ -33,22 +33,22 @@ proptest! {
         for (method, factor) in STEPPING.into_iter().chain([(Method::ClosedForm, 1e-2)]) {
             let impact = scene.impact(v, method, TOLERANCE, None);
             let error = [
-                relative_error(impact.restitution, 1.0),
+                relative_error(impact.row.restitution, 1.0),
                 relative_error(impact.rebound_speed, v),
-                relative_error(impact.peak_indentation, indentation),
-                relative_error(impact.peak_force, force),
-                relative_error(impact.contact_time, CONTACT_TIME * indentation / v),
+                relative_error(impact.row.peak_indentation, indentation),
+                relative_error(impact.row.peak_force, force),
+                relative_error(impact.row.contact_time, CONTACT_TIME * indentation / v),
                 relative_error(impact.loading_time, 0.5 * CONTACT_TIME * indentation / v),
                 relative_error(impact.energy.kinetic_in, 0.4 * force * indentation),
                 relative_error(impact.energy.recovered, 0.5 * m * v * v),
-                relative_error(impact.peak_contact_radius, (scene.radius * indentation).sqrt()),
+                relative_error(impact.row.peak_contact_radius, (scene.radius * indentation).sqrt()),
                 // p_m = (2/3) p_0, p_0 = 3F/(2πa²)
                 relative_error(impact.peak_mean_pressure, force / (std::f64::consts::PI * scene.radius * indentation)),
                 relative_error(impact.peak_sphere_indentation, compliance(scene.sphere) * e_star * indentation),
                 impact.energy.balance_error,
             ].into_iter().fold(0.0, nan_max);
             prop_assert!(error <= 2.0 * factor * TOLERANCE, "{}: {error:e}", method.name());
-            prop_assert_eq!(impact.residual_indentation, 0.0);
+            prop_assert_eq!(impact.row.residual_indentation, 0.0);
             prop_assert_eq!((impact.dent_radius, impact.residual_radius), (None, None));
             prop_assert_eq!(impact.energy.plastic, scene.yield_strength.map(|_| 0.0));
         }
@@ -75,7 +75,7 @@ fn published_impacts_of_hertz_are_reproduced() {
         let scene = Scene { radius, density, sphere, half_space, yield_strength: None, exponent };
         for (method, _) in STEPPING {
             let impact = scene.impact(speed, method, 1e-10, None);
-            let got = [impact.peak_indentation, impact.peak_force, impact.contact_time];
+            let got = [impact.row.peak_indentation, impact.row.peak_force, impact.row.contact_time];
             for (got, (want, half_a_digit)) in got.into_iter().zip(printed).filter(|(_, (want, _))| want.is_finite()) {
                 assert!((got - want).abs() <= half_a_digit, "{}: {got} {want}", method.name());
             }

@@ -57,8 +57,8 @@ fn law_error_holds_the_finite_elements() {
 fn interval_of(input: &Input) -> Option<(RestitutionInterval, f64, Impact)> {
     let contact = input.contact().unwrap();
     let impact = contact.impact(input.approach(), &Solver::AUTO, None).unwrap();
-    let interval = restitution_interval(input, &contact, input.speed(), &impact.essentials)?;
-    let e = impact.measured_restitution();
+    let interval = restitution_interval(input, &contact, input.speed(), &impact.row)?;
+    let e = impact.row.measured_restitution();
     Some((interval, e, impact))
 }
 

@@ -75,16 +75,12 @@ fn forces_and_friction_that_cannot_be_are_refused() {
         ] {
             assert!(is_refused(&contact.clone().with_forces(forces), straight), "{forces:?}");
         }
-        let oblique =
-            |friction| Approach { speed: 1.0, incidence: Some(Incidence { angle: 0.5, spin: 0.0, friction }) };
+        let oblique = |friction| Approach::at_angle(1.0, 0.5, 0.0, friction);
         // an infinite coefficient is a contact point that never slips
         assert_eq!(is_refused(&contact, oblique(bad)), bad != f64::INFINITY);
         assert_eq!(is_refused(&contact.clone().with_moment_of_inertia(bad), oblique(0.3)), bad != f64::INFINITY);
     }
-    assert!(is_refused(
-        &contact.with_moment_of_inertia(0.0),
-        Approach { speed: 1.0, incidence: Some(Incidence { angle: 0.5, spin: 0.0, friction: 0.3 }) }
-    ));
+    assert!(is_refused(&contact.with_moment_of_inertia(0.0), Approach::at_angle(1.0, 0.5, 0.0, 0.3)));
 }
 
 /// A table of coefficients is checked wherever it comes from, also in a combination.

@@ -35,28 +35,28 @@ impl References {
 
 /// Compares all results that the row has; `allowed` is relative to the second number.
 fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
-    let (size, on_plate) = (impact.peak_indentation, impact.plate);
+    let (size, on_plate) = (impact.row.peak_indentation, impact.row.plate);
     let point = contact.pair().yield_point;
     let of_point = |of: fn(&plm_impact::contact::pair::YieldPoint) -> f64| point.as_ref().map_or(f64::NAN, of);
     // R_res = R R_e/(R_e − R) loses digits where the dent is shallow
     let radius = impact.residual_radius.unwrap_or(f64::NAN);
     let of_plate = |of: fn(&plm_impact::impact::PlateResult) -> f64| on_plate.as_ref().map_or(f64::NAN, of);
     let mut compared = 0;
-    let target = impact.target_speed.unwrap_or(f64::NAN);
+    let target = impact.row.target_speed.unwrap_or(f64::NAN);
     for (name, got, unit) in [
         ("sphere_velocity_after_m_per_s", -impact.rebound_speed, impact.speed),
         ("target_velocity_after_m_per_s", target, impact.speed),
         // e may be next to nothing, and a dent is a small difference
-        ("restitution", impact.restitution, 1.0),
-        ("plastic_fraction", impact.plastic_fraction, 1.0),
-        ("plate_energy_fraction", impact.plate_loss_fraction().unwrap_or(f64::NAN), 1.0),
-        ("residual_indentation_m", impact.residual_indentation, size),
+        ("restitution", impact.row.restitution, 1.0),
+        ("plastic_fraction", impact.row.plastic_fraction, 1.0),
+        ("plate_energy_fraction", impact.row.plate_loss_fraction().unwrap_or(f64::NAN), 1.0),
+        ("residual_indentation_m", impact.row.residual_indentation, size),
         ("residual_radius_m", radius, 60.0 * radius),
-        ("contact_time_s", impact.contact_time, impact.contact_time),
+        ("contact_time_s", impact.row.contact_time, impact.row.contact_time),
         ("loading_time_s", impact.loading_time, impact.loading_time),
-        ("peak_force_N", impact.peak_force, impact.peak_force),
+        ("peak_force_N", impact.row.peak_force, impact.row.peak_force),
         ("peak_indentation_m", size, size),
-        ("peak_contact_radius_m", impact.peak_contact_radius, impact.peak_contact_radius),
+        ("peak_contact_radius_m", impact.row.peak_contact_radius, impact.row.peak_contact_radius),
         ("elastic_approach_m", impact.elastic_approach, impact.elastic_approach),
         ("unloading_radius_m", impact.unloading_radius, impact.unloading_radius),
         ("unloading_exponent", impact.unloading_exponent, 1.0),
@@ -74,8 +74,12 @@ fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
     assert!(compared >= 7, "{}: {compared}", row.name());
     if let Some(share) = row.optional_number("harder_body_residual_share") {
         let flow = point.unwrap().yield_partition;
-        let of_harder = if flow.is_sphere { impact.dent_depth() } else { impact.flat_depth };
-        assert!((of_harder - share * impact.residual_indentation).abs() < 1e-11 * size, "{}: {of_harder}", row.name());
+        let of_harder = if flow.is_sphere { impact.row.dent_depth() } else { impact.row.flat_depth };
+        assert!(
+            (of_harder - share * impact.row.residual_indentation).abs() < 1e-11 * size,
+            "{}: {of_harder}",
+            row.name()
+        );
         return;
     }
     let is_plain = row.optional_number("yield_speed_m_per_s").is_some();

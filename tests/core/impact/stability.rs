@@ -108,11 +108,11 @@ fn modulus_ratio_goes_to_its_limits() {
     for ratio in [1e3, 1e6, 1e9, 1e12] {
         // e differs from its limits κ = 0 and κ = 1 in proportion to κ and 1 − κ, about 1/ratio
         assert!(
-            relative_error(impact(1e11 * ratio, 1e11).restitution, rigid.restitution) < 1.0 / ratio + 1e-11,
+            relative_error(impact(1e11 * ratio, 1e11).row.restitution, rigid.row.restitution) < 1.0 / ratio + 1e-11,
             "{ratio:e}"
         );
         assert!(
-            relative_error(impact(1e9, 1e9 * ratio).restitution, soft.restitution) < 1.0 / ratio + 1e-11,
+            relative_error(impact(1e9, 1e9 * ratio).row.restitution, soft.row.restitution) < 1.0 / ratio + 1e-11,
             "{ratio:e}"
         );
     }
@@ -162,9 +162,9 @@ proptest! {
             let at = |q: f64| skip_if_law_has_no_answer(contact.closed_form(q * yield_speed));
             let (Ok(below), Ok(above)) = (at(q * (1.0 - gap)), at(q * (1.0 + gap))) else { break };
             // |d ln e/d ln v| < 1/2 on every piece, |d ln T/d ln v| < 1
-            prop_assert!(relative_error(above.restitution, below.restitution) <= gap + 1e-13, "{q}");
-            prop_assert!(relative_error(above.contact_time, below.contact_time) <= 2.0 * gap + 1e-13, "{q}");
-            prop_assert!(relative_error(above.peak_force, below.peak_force) <= 4.0 * gap + 1e-13, "{q}");
+            prop_assert!(relative_error(above.row.restitution, below.row.restitution) <= gap + 1e-13, "{q}");
+            prop_assert!(relative_error(above.row.contact_time, below.row.contact_time) <= 2.0 * gap + 1e-13, "{q}");
+            prop_assert!(relative_error(above.row.peak_force, below.row.peak_force) <= 4.0 * gap + 1e-13, "{q}");
         }
     }
 }
@@ -181,12 +181,20 @@ fn extreme_scales_are_computed_or_refused() {
                 let Ok(contact) = scene.try_contact() else { continue };
                 match contact.impact(speed, &solver(Method::Rk8, 1e-10), None) {
                     Ok(impact) => {
-                        let results = [impact.restitution, impact.contact_time, impact.loading_time, impact.peak_force];
+                        let results = [
+                            impact.row.restitution,
+                            impact.row.contact_time,
+                            impact.loading_time,
+                            impact.row.peak_force,
+                        ];
                         assert!(results.iter().all(|result| result.is_finite() && *result > 0.0), "{impact:?}");
-                        assert!(impact.restitution <= 1.0 + 1e-9);
+                        assert!(impact.row.restitution <= 1.0 + 1e-9);
                         // of an elastic impact, (2/5) F_m δ_m = ½ m v²
-                        let stored = 0.4 * impact.peak_force * impact.peak_indentation;
-                        assert!(impact.has_dent() || relative_error(stored, impact.kinetic_in) < 1e-9, "{impact:?}");
+                        let stored = 0.4 * impact.row.peak_force * impact.row.peak_indentation;
+                        assert!(
+                            impact.row.has_dent() || relative_error(stored, impact.row.kinetic_in) < 1e-9,
+                            "{impact:?}"
+                        );
                         computed += 1;
                     }
                     Err(ImpactError::Range(_) | ImpactError::TooDeep { .. }) => {}

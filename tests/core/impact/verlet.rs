@@ -28,19 +28,19 @@ fn every_force() -> [Forces; 4] {
 fn hertz_times_have_second_order_error() {
     let elastic = Scene { yield_strength: None, ..Scene::steel() };
     let exact = elastic.impact(0.5, Method::ClosedForm, 1e-10, None);
-    let contact_time = CONTACT_TIME * exact.peak_indentation / 0.5;
+    let contact_time = CONTACT_TIME * exact.row.peak_indentation / 0.5;
     for steps in NUMBERS_OF_STEPS {
         let impact = by_steps(&elastic, NO_OVERRIDES, steps);
         // for an oscillator of period 2 T, the contact time is too short by (π/n)²/24 = 0.41/n² of T
         let squares = f64::from(steps) * f64::from(steps);
-        let error = relative_error(impact.contact_time, contact_time);
+        let error = relative_error(impact.row.contact_time, contact_time);
         assert!(error * squares > 0.05 && error * squares < 1.0, "{steps}: {}", error * squares);
         assert!(relative_error(1.0 + impact.accuracy.contact_time_error, 1.0 + error) < 1e-14);
         let of_compression = relative_error(impact.loading_time, 0.5 * contact_time);
         assert!(of_compression * squares < 2.0, "{steps}: {}", of_compression * squares);
         // there is no loss, so the error of the ledger is the error of e²
         let balance_error = impact.energy.error_at_end;
-        assert!((balance_error - (impact.restitution * impact.restitution - 1.0)).abs() < 1e-15);
+        assert!((balance_error - (impact.row.restitution * impact.row.restitution - 1.0)).abs() < 1e-15);
         assert!(balance_error.abs() * squares < 5.0, "{steps}: {}", balance_error * squares);
         assert!(balance_error.abs() <= impact.energy.balance_error);
     }
@@ -60,13 +60,13 @@ fn a_code_sees_both_times_in_whole_steps() {
                 assert!((count - count.round()).abs() < 1e-9, "{forces:?}, {steps}: {count}");
             }
             // separation is observed at the end of the step in which it occurs
-            let late = (separation - impact.contact_time) / seen.step;
+            let late = (separation - impact.row.contact_time) / seen.step;
             assert!((-1e-9..1.0 + 1e-9).contains(&late), "{forces:?}, {steps}: {late}");
             let beside = (seen.compression_time - exact.loading_time).abs() / seen.step;
             assert!(beside < 1.0, "{forces:?}, {steps}: {beside}");
             // the trace ends with the contact
             let last = impact.trace.last().unwrap();
-            assert_eq!(last.time, impact.contact_time);
+            assert_eq!(last.time, impact.row.contact_time);
             assert!(impact.trace.windows(2).all(|pair| pair[0].time <= pair[1].time), "{forces:?}, {steps}");
         }
     }
@@ -81,7 +81,7 @@ fn damped_times_converge_with_first_order() {
             let error = |steps| relative_error(time(&by_steps(&scene, forces, steps)), time(&exact));
             steps.map(error).into_iter().fold(0.0, plm_impact::numerics::power::nan_max)
         };
-        for time in [(|impact| impact.contact_time) as fn(&Impact) -> f64, |impact| impact.loading_time] {
+        for time in [(|impact| impact.row.contact_time) as fn(&Impact) -> f64, |impact| impact.loading_time] {
             let (coarse, fine) = (worst(time, [97, 100, 109]), worst(time, [9700, 10_000, 10_900]));
             let falls_by = if forces.damping.is_some() { 50.0 } else { 2000.0 };
             assert!(fine < coarse / falls_by && coarse < 1e-2, "{forces:?}: {coarse:e} to {fine:e}");
@@ -125,11 +125,15 @@ fn too_long_steps_are_refused_or_warned_of() {
                 impact.energy.balance_error > 1e-2,
                 "{steps}: {kinds:?}"
             );
-            assert_eq!(kinds.contains(&WarningKind::EnergyGain), impact.restitution > 1.0005, "{steps}: {kinds:?}");
+            assert_eq!(kinds.contains(&WarningKind::EnergyGain), impact.row.restitution > 1.0005, "{steps}: {kinds:?}");
             if kinds.is_empty() {
-                assert!((impact.restitution - exact.restitution).abs() < 0.01, "{steps}: {}", impact.restitution);
+                assert!(
+                    (impact.row.restitution - exact.row.restitution).abs() < 0.01,
+                    "{steps}: {}",
+                    impact.row.restitution
+                );
             }
-            largest = largest.max(impact.restitution);
+            largest = largest.max(impact.row.restitution);
         }
     }
     assert!(largest > 1.005 && largest < 1.05, "{largest}");
@@ -145,7 +149,7 @@ fn too_long_steps_are_refused_or_warned_of() {
     let contact = Contact::try_new(Sphere::elastic(5e-3, glass, 7850.0), half_space, &Plm::default()).unwrap();
     let contact = contact.with_forces(Forces { plate: Some(plate), ..Forces::default() });
     let impact = contact.impact(3.0, &verlet(50), None).unwrap();
-    assert!(impact.plate_loss_fraction().unwrap() > 1.0);
+    assert!(impact.row.plate_loss_fraction().unwrap() > 1.0);
     let kinds = kinds(&impact);
     assert!(kinds.contains(&WarningKind::EnergyImbalance) && kinds.contains(&WarningKind::EnergyGain), "{kinds:?}");
 }

@@ -76,11 +76,12 @@ fn radius_and_pressure_are_continuous_at_yield() {
             let at = |share: f64| contact.closed_form(slowest * (1.0 + share)).unwrap();
             let [before, below, above, behind] = [-1e-3, -1e-9, 1e-9, 1e-3].map(at);
             let about = format!("{keys:?} {radius_ratio}");
-            assert!(relative_error(above.peak_contact_radius, below.peak_contact_radius) < 1e-8, "{about}");
+            assert!(relative_error(above.row.peak_contact_radius, below.row.peak_contact_radius) < 1e-8, "{about}");
             assert!(relative_error(above.peak_mean_pressure, below.peak_mean_pressure) < 1e-8, "{about}");
             // nor is there a step in the slope that anyone would see: d ln a/d ln v is 2/5 below
-            let slope =
-                |one: &Impact, other: &Impact| (other.peak_contact_radius / one.peak_contact_radius).ln() / 1e-3;
+            let slope = |one: &Impact, other: &Impact| {
+                (other.row.peak_contact_radius / one.row.peak_contact_radius).ln() / 1e-3
+            };
             let [of_hertz, beyond] = [slope(&before, &below), slope(&above, &behind)];
             assert!((of_hertz - 0.4).abs() < 1e-3 && beyond > 0.25 && beyond < 0.5, "{about}: {of_hertz} {beyond}");
         }
@@ -97,19 +98,19 @@ fn indentation_and_impact_have_equal_contact_radius() {
         for ratio in [0.1, 0.5, 0.99, 1.01, 1.5, 2.0, 2.5] {
             let speed = ratio * contact.yield_speed().unwrap();
             let impact = contact.closed_form(speed).unwrap();
-            let step = slow.indent(&[indentation::SetPoint::Load(impact.peak_force)], None).unwrap().steps[0];
+            let step = slow.indent(&[indentation::SetPoint::Load(impact.row.peak_force)], None).unwrap().steps[0];
             let radius = step.memory.contact_radius;
             assert!(
-                relative_error(radius, impact.peak_contact_radius) < 1e-10,
+                relative_error(radius, impact.row.peak_contact_radius) < 1e-10,
                 "{radius_ratio} {ratio}: {radius} {impact:?}"
             );
             let row = contact.row(speed, &Solver::AUTO).unwrap();
-            assert_eq!(row.peak_contact_radius, impact.peak_contact_radius);
+            assert_eq!(row.peak_contact_radius, impact.row.peak_contact_radius);
             assert!(radius > before);
             before = radius;
             if ratio < 1.0 {
                 // the radius of Hertz, as for a body without a strength
-                let hertz = (5e-3 * impact.peak_indentation).sqrt();
+                let hertz = (5e-3 * impact.row.peak_indentation).sqrt();
                 assert!(relative_error(radius, hertz) < 1e-12, "{radius} {hertz}");
             }
         }
@@ -123,7 +124,7 @@ fn unreachable_yield_point_is_not_reported() {
     let contact = contact(STEEL, &ball);
     assert!(contact.pair().yield_point.unwrap().contact_radius > 21.3e-3);
     assert_eq!((contact.yield_speed(), contact.yield_indentation_and_force()), (None, None));
-    assert_eq!(contact.closed_form(20.0).unwrap().restitution, 1.0);
+    assert_eq!(contact.closed_form(20.0).unwrap().row.restitution, 1.0);
     // up to the radius of the sphere it is one
     for (radius_ratio, is_reached) in [(0.5, true), (0.99, true), (1.01, false)] {
         let contact = hard(&["half_space.youngs_modulus=3 GPa"], radius_ratio);

@@ -32,27 +32,27 @@ pub fn the_reported_energies_add_up(run: &Run) -> Judgement {
     let (plastic, gravity) = (impact.energy.plastic.unwrap_or(0.0), of(|under| under.gravity_work));
     let parts = [
         plastic,
-        impact.plate.map_or(0.0, |plate| plate.energy),
+        impact.row.plate.map_or(0.0, |plate| plate.energy),
         of(|under| under.damping_loss),
         of(|under| under.stored_at_separation),
         of(|under| under.remaining_energy),
     ];
     let found = impact.energy.recovered + parts.iter().sum::<f64>();
     // where nothing is lost e is 1, whatever the error of the run
-    let of_run = if impact.restitution == 1.0 { 0.0 } else { impact.energy.error_at_end * size };
+    let of_run = if impact.row.restitution == 1.0 { 0.0 } else { impact.energy.error_at_end * size };
     // the work of the weight up to separation may be far above that down to the peak, where a plate holds the sphere long
     let largest = found.abs().max(gravity.abs()).max(size);
-    assert_close("sum", found - gravity, impact.kinetic_in + of_run, 2e-13 * largest)?;
+    assert_close("sum", found - gravity, impact.row.kinetic_in + of_run, 2e-13 * largest)?;
     if let Some(under) = impact.forces_result {
-        let way = under.end_indentation - run.touch() + impact.plate.map_or(0.0, |plate| plate.displacement);
+        let way = under.end_indentation - run.touch() + impact.row.plate.map_or(0.0, |plate| plate.displacement);
         assert_close("work of the weight", gravity, run.weight() * way, 1e-12 * largest)?;
     }
     let gain = if run.contact.has_rate() && run.scene.has("half_space.flow_stress") { 1e-3 } else { 0.0 };
     prop_assert!(parts.iter().all(|part| *part >= -(run.error_allowance() + gain) * size), "{:?} of {:e}", parts, size);
     assert_close(
         "share",
-        impact.plastic_fraction * impact.kinetic_in,
-        if impact.has_speed() { plastic } else { 0.0 },
+        impact.row.plastic_fraction * impact.row.kinetic_in,
+        if impact.row.has_speed() { plastic } else { 0.0 },
         1e-14 * plastic.abs(),
     )?;
     Ok(true)
@@ -63,11 +63,11 @@ pub fn the_reported_energies_add_up(run: &Run) -> Judgement {
 /// hardens and has a rate may gain, as above.
 pub fn restitution_is_a_ratio(run: &Run) -> Judgement {
     let (impact, contact) = (&run.impact, &run.contact);
-    let (e, is_captured) = (impact.restitution, impact.captured_result().is_some());
-    prop_assert_eq!((e == 0.0, impact.contact_time.is_infinite()), (is_captured, is_captured));
-    prop_assert_eq!(impact.rebound_height.is_some(), !is_captured && contact.forces().flight.is_some());
-    prop_assert!(e >= 0.0 && (impact.has_speed() || is_captured), "{}", e);
-    if !run.is_adaptive() || !impact.has_speed() {
+    let (e, is_captured) = (impact.row.restitution, impact.captured_result().is_some());
+    prop_assert_eq!((e == 0.0, impact.row.contact_time.is_infinite()), (is_captured, is_captured));
+    prop_assert_eq!(impact.row.rebound_height.is_some(), !is_captured && contact.forces().flight.is_some());
+    prop_assert!(e >= 0.0 && (impact.row.has_speed() || is_captured), "{}", e);
+    if !run.is_adaptive() || !impact.row.has_speed() {
         return Ok(false);
     }
     let gravity = impact.forces_result.and_then(|under| under.gravity_work).unwrap_or(0.0);
@@ -76,11 +76,11 @@ pub fn restitution_is_a_ratio(run: &Run) -> Judgement {
         () if run.is_fresh() => 0.0,
         () => 2e-4,
     };
-    let most = impact.kinetic_in + gravity.max(0.0) + (run.error_allowance() + gain) * run.input_energy();
+    let most = impact.row.kinetic_in + gravity.max(0.0) + (run.error_allowance() + gain) * run.input_energy();
     prop_assert!(impact.energy.recovered <= most, "{:e}", e - 1.0);
     let is_below = contact.yield_speed().is_some_and(|yields| run.speed() <= yields) && !contact.has_rate();
     if (is_below || contact.pair().yield_point.is_none()) && run.is_fresh() && contact.forces().is_none() {
-        prop_assert!(!impact.has_dent() && impact.energy.plastic.unwrap_or(0.0) == 0.0 && run.after == Spot::new());
+        prop_assert!(!impact.row.has_dent() && impact.energy.plastic.unwrap_or(0.0) == 0.0 && run.after == Spot::new());
         prop_assert!(e <= 1.0 && e >= 1.0 - run.error_allowance(), "{}", e);
     }
     Ok(true)
@@ -89,24 +89,30 @@ pub fn restitution_is_a_ratio(run: &Run) -> Judgement {
 /// Sizes are positive, the dent is smaller than the peak, what they consist of adds up to rounding, and the spot remembers them.
 pub fn sizes_fit_together(run: &Run) -> Judgement {
     let impact = &run.impact;
-    let (peak, dent, radius) = (impact.peak_indentation, impact.residual_indentation, run.contact.pair().radius);
-    let wide = [impact.peak_contact_radius, impact.peak_mean_pressure, impact.elastic_approach, impact.loading_time];
+    let (peak, dent, radius) =
+        (impact.row.peak_indentation, impact.row.residual_indentation, run.contact.pair().radius);
+    let wide =
+        [impact.row.peak_contact_radius, impact.peak_mean_pressure, impact.elastic_approach, impact.loading_time];
     prop_assert!(wide.iter().chain([&peak]).all(|size| *size > 0.0 && size.is_finite()), "{:?}", impact);
-    prop_assert!(impact.contact_time > impact.loading_time && impact.stats.steps < 1_000_000, "{:?}", impact);
+    prop_assert!(impact.row.contact_time > impact.loading_time && impact.stats.steps < 1_000_000, "{:?}", impact);
     prop_assert!((0.0..=peak).contains(&dent) && dent >= run.touch() * (1.0 - 1e-12), "{} {}", dent, peak);
-    prop_assert!((0.0..=dent).contains(&impact.flat_depth), "{:?}", impact.flat_depth);
+    prop_assert!((0.0..=dent).contains(&impact.row.flat_depth), "{:?}", impact.row.flat_depth);
     assert_close("dent", impact.elastic_approach + dent, peak, 4e-15 * peak)?;
     assert_close("memory", run.contact.dent_depth(&run.after), dent, 1e-12 * peak)?;
-    let above = impact.peak_force / impact.force_at_peak_indentation - 1.0;
+    let above = impact.row.peak_force / impact.force_at_peak_indentation - 1.0;
     // fixed steps do not hit the turn of a metal that relaxes there
-    prop_assert!(above > -1e-15 || impact.strain_rate_result.is_some() && !run.is_adaptive(), "{:e}", above);
+    prop_assert!(above > -1e-15 || impact.row.strain_rate_result.is_some() && !run.is_adaptive(), "{:e}", above);
     prop_assert!(
-        above < 1e-15 || run.contact.forces().damping.is_some() || impact.strain_rate_result.is_some(),
+        above < 1e-15 || run.contact.forces().damping.is_some() || impact.row.strain_rate_result.is_some(),
         "{:e}",
         above
     );
     if run.is_plm() {
-        prop_assert!(impact.radius_ratio <= 1.0 && impact.unloading_radius >= radius * (1.0 - 1e-12), "{:?}", impact);
+        prop_assert!(
+            impact.row.radius_ratio <= 1.0 && impact.unloading_radius >= radius * (1.0 - 1e-12),
+            "{:?}",
+            impact
+        );
         prop_assert!(impact.residual_radius.is_none_or(|residual| residual > radius));
     }
     prop_assert_eq!(impact.fixed_steps.is_some(), impact.method == Method::Verlet);
@@ -115,7 +121,9 @@ pub fn sizes_fit_together(run: &Run) -> Judgement {
 
 /// The momentum of both bodies stays, and their energies are those of the common motion and of the relative one.
 pub fn momentum_of_both_bodies_stays(run: &Run) -> Judgement {
-    let (Some(target), Some(after)) = (run.contact.target_mass(), run.impact.target_speed) else { return Ok(false) };
+    let (Some(target), Some(after)) = (run.contact.target_mass(), run.impact.row.target_speed) else {
+        return Ok(false);
+    };
     let (mass, speed, energy) = (run.contact.mass(), run.speed(), &run.impact.energy);
     let (back, centre) = (-run.impact.rebound_speed, energy.centre_of_mass.unwrap());
     assert_close("momentum", mass * back + target * after, mass * speed, 1e-13 * (mass * speed).max(target * after))?;
@@ -130,16 +138,16 @@ pub fn momentum_of_both_bodies_stays(run: &Run) -> Judgement {
 /// rebound does.
 pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
     prop_assert!(
-        run.impact.captured_result().is_none() || run.impact.rebound.is_none() && run.impact.oblique.is_none()
+        run.impact.captured_result().is_none() || run.impact.row.rebound.is_none() && run.impact.oblique.is_none()
     );
-    let (Some(incidence), Some(rebound)) = (run.approach.incidence, run.impact.rebound) else { return Ok(false) };
-    let (impact, friction, mu) = (&run.impact, run.impact.oblique.unwrap(), incidence.friction);
+    let (Some(mu), Some(rebound)) = (run.approach.friction, run.impact.row.rebound) else { return Ok(false) };
+    let (impact, friction) = (&run.impact, run.impact.oblique.unwrap());
     let rounding = 1e-12 * friction.kinetic_in;
     assert_close("friction", friction.recovered + friction.loss, friction.kinetic_in, rounding)?;
     prop_assert!((-rounding..=friction.kinetic_in + rounding).contains(&friction.loss), "{:?}", friction);
     assert_close("angular momentum", friction.momentum_error, 0.0, 1e-13)?;
-    let (radius, [_, along]) = (run.contact.sphere().radius, run.approach.components());
-    let size = run.approach.speed + rebound.tangential_speed.abs();
+    let (radius, along) = (run.contact.sphere().radius, run.approach.along);
+    let size = run.approach.speed() + rebound.tangential_speed.abs();
     if let Some([moved, turned]) = rebound.target {
         let (mass, ball) = (run.contact.mass(), run.contact.target_mass().unwrap());
         let of_ball = run.contact.half_space().radius.unwrap();
@@ -147,14 +155,14 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
         assert_close("momentum", gained + ball * moved, 0.0, 1e-12 * (mass + ball) * size)?;
         // about the contact point: the centre of the sphere is above it, that of the ball below
         let spun =
-            0.4 * mass * radius * radius * (rebound.spin - incidence.spin) + 0.4 * ball * of_ball * of_ball * turned;
+            0.4 * mass * radius * radius * (rebound.spin - run.approach.spin) + 0.4 * ball * of_ball * of_ball * turned;
         let angular = gained * radius + spun - ball * of_ball * moved;
         assert_close("angular momentum of both", angular, 0.0, 1e-12 * (mass + ball) * size * (radius + of_ball))?;
     }
     if rebound.is_sliding && rebound.psi != 0.0 {
         // the impulse of the whole contact force, and of the weight that it carries
-        let impulse = run.contact.reduced_mass() * (1.0 + impact.restitution) * run.speed();
-        let impulse = (impulse + run.weight() * impact.contact_time).copysign(rebound.psi);
+        let impulse = run.contact.reduced_mass() * (1.0 + impact.row.restitution) * run.speed();
+        let impulse = (impulse + run.weight() * impact.row.contact_time).copysign(rebound.psi);
         let change = run.contact.mass() * (rebound.tangential_speed - along);
         assert_close("sliding", -change, mu * impulse, (1e-9 + run.error_allowance()) * mu * impulse.abs())?;
     }
@@ -164,7 +172,7 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
     // friction is a straight line between the steps of its run; a metal that relaxes drops its force between two rows
     let share = if run.contact.forces().is_none() { 1e-3 } else { 2e-3 };
     for row in impact.trace.iter().filter(|row| row.event != Some(Event::Relaxation)) {
-        let most = mu * row.force + share * mu.max(1.0) * impact.peak_force;
+        let most = mu * row.force + share * mu.max(1.0) * impact.row.peak_force;
         prop_assert!(row.friction.unwrap().friction_force.abs() <= most, "{:?}", row);
     }
     if let [first, .., last] = &impact.trace[..] {

@@ -15,8 +15,8 @@ pub fn a_row_has_the_bits_of_the_impact(run: &Run) -> Judgement {
     if !run.is_fresh() || run.scene.has("impact.drop_height") {
         return Ok(false);
     }
-    let impact = run.contact.impact(run.approach, &run.solver, None).unwrap().essentials;
-    let list = vec![format!("sweep={{\"impact.speed\"=[{:e}]}}", run.approach.speed)];
+    let impact = run.contact.impact(run.approach, &run.solver, None).unwrap().row;
+    let list = vec![format!("sweep={{\"impact.speed\"=[{:e}]}}", run.scene.input().unwrap().speed())];
     let plan = run.scene.without(&["impact.speed"]).scenario(&list).unwrap().plan().unwrap();
     let mut rows = Rows::default();
     Evaluator::new(&plan).append_rows(0..1, &mut rows);
@@ -58,11 +58,11 @@ pub fn spot_and_friction_leave_the_normal_motion(run: &Run) -> Judgement {
     }
     let by = |approach: Approach| run.contact.impact(approach, &run.solver, run.scene.samples).unwrap();
     prop_assert_eq!(debug_text(&by(run.approach)), debug_text(&run.impact));
-    if run.approach.incidence.is_none() {
+    if run.approach.friction.is_none() {
         return Ok(true);
     }
     let (mut straight, mut oblique) = (by(run.speed().into()), run.impact.clone());
-    oblique.essentials.rebound = None;
+    oblique.row.rebound = None;
     oblique.oblique = None;
     for impact in [&mut straight, &mut oblique] {
         impact.speed = 0.0;
@@ -85,34 +85,35 @@ pub fn methods_agree(run: &Run) -> Judgement {
         return Ok(false);
     }
     let (got, exact, slack) = (&run.impact, exact(run, None), run.error_allowance());
-    let (peak, size) = (exact.peak_indentation, 2.0 * run.input_energy());
+    let (peak, size) = (exact.row.peak_indentation, 2.0 * run.input_energy());
     for (name, part, unit) in [
-        ("peak force", (|of| of.peak_force) as fn(&Impact) -> f64, exact.peak_force),
-        ("peak indentation", |of| of.peak_indentation, peak),
-        ("contact radius", |of| of.peak_contact_radius, exact.peak_contact_radius),
+        ("peak force", (|of| of.row.peak_force) as fn(&Impact) -> f64, exact.row.peak_force),
+        ("peak indentation", |of| of.row.peak_indentation, peak),
+        ("contact radius", |of| of.row.peak_contact_radius, exact.row.peak_contact_radius),
         ("elastic approach", |of| of.elastic_approach, peak),
-        ("dent", |of| of.residual_indentation, peak),
-        ("flat", |of| of.flat_depth, peak),
+        ("dent", |of| of.row.residual_indentation, peak),
+        ("flat", |of| of.row.flat_depth, peak),
         ("recovered", |of| of.energy.recovered, size),
         ("plastic", |of| of.energy.plastic.unwrap_or(0.0), size),
     ] {
         assert_close(name, part(got), part(&exact), slack * unit)?;
     }
-    let has_times = exact.captured_result().is_none() && got.captured_result().is_none() && exact.restitution > 1e-3;
+    let has_times =
+        exact.captured_result().is_none() && got.captured_result().is_none() && exact.row.restitution > 1e-3;
     if run.contact.forces().is_none() {
         for (name, part) in [
-            ("restitution", (|of| of.restitution) as fn(&Impact) -> f64),
-            ("contact time", |of| of.contact_time),
+            ("restitution", (|of| of.row.restitution) as fn(&Impact) -> f64),
+            ("contact time", |of| of.row.contact_time),
             ("loading time", |of| of.loading_time),
             ("exponent", |of| of.unloading_exponent),
             // an integral over the whole law
-            ("waves", |of| 0.1 * of.wave_loss_fraction.unwrap_or(0.0)),
+            ("waves", |of| 0.1 * of.row.wave_loss_fraction.unwrap_or(0.0)),
         ] {
             assert_close(
                 name,
                 part(got),
                 part(&exact),
-                slack * part(&exact).max(exact.wave_loss_fraction.unwrap_or(0.0)),
+                slack * part(&exact).max(exact.row.wave_loss_fraction.unwrap_or(0.0)),
             )?;
         }
         prop_assert!(run.earlier.is_some() || got.accuracy.restitution_error <= slack);
@@ -122,7 +123,7 @@ pub fn methods_agree(run: &Run) -> Judgement {
         if fine.captured_result().is_some() {
             return Ok(true);
         }
-        assert_close("contact time", fine.contact_time, exact.contact_time, 1e-9 * exact.contact_time)?;
+        assert_close("contact time", fine.row.contact_time, exact.row.contact_time, 1e-9 * exact.row.contact_time)?;
         assert_close("loading time", fine.loading_time, exact.loading_time, 1e-9 * exact.loading_time)?;
     }
     Ok(true)
@@ -139,15 +140,20 @@ pub fn damping_of_nothing_changes_nothing(run: &Run) -> Judgement {
     let got = damped.impact_on(&mut run.before.clone(), run.approach, &solver, None).unwrap();
     let (want, slack) = (&run.impact, run.error_allowance().max(10.0 * run.solver.tolerance));
     prop_assert_eq!(got.forces_result.unwrap().damping_loss, Some(0.0));
-    assert_close("peak force", got.peak_force, want.peak_force, 2.0 * slack * want.peak_force)?;
-    assert_close("peak", got.peak_indentation, want.peak_indentation, 2.0 * slack * want.peak_indentation)?;
-    assert_close("dent", got.residual_indentation, want.residual_indentation, 2.0 * slack * want.peak_indentation)?;
+    assert_close("peak force", got.row.peak_force, want.row.peak_force, 2.0 * slack * want.row.peak_force)?;
+    assert_close("peak", got.row.peak_indentation, want.row.peak_indentation, 2.0 * slack * want.row.peak_indentation)?;
+    assert_close(
+        "dent",
+        got.row.residual_indentation,
+        want.row.residual_indentation,
+        2.0 * slack * want.row.peak_indentation,
+    )?;
     assert_close("recovered", got.energy.recovered, want.energy.recovered, 4.0 * slack * run.input_energy())?;
     if run.contact.forces().is_none() {
-        assert_close("contact time", got.contact_time, want.contact_time, 2.0 * slack * want.contact_time)?;
-        prop_assert_eq!(got.has_dent(), want.has_dent());
+        assert_close("contact time", got.row.contact_time, want.row.contact_time, 2.0 * slack * want.row.contact_time)?;
+        prop_assert_eq!(got.row.has_dent(), want.row.has_dent());
     }
-    if let (Some(one), Some(other)) = (got.rebound, want.rebound) {
+    if let (Some(one), Some(other)) = (got.row.rebound, want.row.rebound) {
         assert_close("friction", one.impulse_ratio, other.impulse_ratio, 1e-5)?;
     }
     Ok(true)
@@ -162,10 +168,10 @@ pub fn fixed_steps_come_near(run: &Run) -> Judgement {
     // a sphere that creeps to rest takes too many
     let Ok(fixed) = run.contact.impact_on(&mut run.before.clone(), run.speed(), &steps, None) else { return Ok(false) };
     let exact = exact(run, None);
-    assert_close("peak", fixed.peak_indentation, exact.peak_indentation, 1e-2 * exact.peak_indentation)?;
+    assert_close("peak", fixed.row.peak_indentation, exact.row.peak_indentation, 1e-2 * exact.row.peak_indentation)?;
     assert_close("recovered", fixed.energy.recovered, exact.energy.recovered, 1e-2 * run.input_energy())?;
     if fixed.captured_result().is_none() && exact.captured_result().is_none() {
-        assert_close("contact time", fixed.contact_time, exact.contact_time, 1e-2 * exact.contact_time)?;
+        assert_close("contact time", fixed.row.contact_time, exact.row.contact_time, 1e-2 * exact.row.contact_time)?;
     }
     Ok(true)
 }
@@ -174,7 +180,7 @@ pub fn fixed_steps_come_near(run: &Run) -> Judgement {
 /// that is flat and very heavy, to rounding.
 pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judgement {
     let (scene, contact) = (&run.scene, &run.contact);
-    if !run.is_fresh() || run.approach.incidence.is_some() || run.turns_at_subdivision() {
+    if !run.is_fresh() || run.approach.friction.is_some() || run.turns_at_subdivision() {
         return Ok(false);
     }
     let with = |path, number| scene.with(path, KeySetting::Number(number));
@@ -210,20 +216,26 @@ pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judgement {
         let Ok(other) = other.run() else { continue };
         let [got, want] = [&other.impact, &run.impact];
         if allowed == 0.0 {
-            let essentials = ImpactRow { strain_rate_result: None, ..got.essentials };
-            prop_assert_eq!(debug_text(&essentials), debug_text(&want.essentials), "{:?}", other.scene);
+            let essentials = ImpactRow { strain_rate_result: None, ..got.row };
+            prop_assert_eq!(debug_text(&essentials), debug_text(&want.row), "{:?}", other.scene);
             prop_assert_eq!(debug_text(&got.trace), debug_text(&want.trace), "{:?}", other.scene);
         }
-        let sizes = [want.peak_force, want.peak_indentation, want.peak_contact_radius, want.loading_time, 1.0];
+        let sizes =
+            [want.row.peak_force, want.row.peak_indentation, want.row.peak_contact_radius, want.loading_time, 1.0];
         let numbers = |of: &Impact| {
-            let wide = [of.peak_force, of.peak_indentation, of.peak_contact_radius, of.loading_time];
+            let wide = [of.row.peak_force, of.row.peak_indentation, of.row.peak_contact_radius, of.loading_time];
             [&wide[..], &[of.unloading_exponent]].concat()
         };
         for ((got, want), size) in numbers(got).into_iter().zip(numbers(want)).zip(sizes) {
             assert_close("size", got, want, allowed * size)?;
         }
         assert_close("recovered", got.energy.recovered, want.energy.recovered, 4.0 * allowed * run.input_energy())?;
-        assert_close("dent", got.residual_indentation, want.residual_indentation, allowed * want.peak_indentation)?;
+        assert_close(
+            "dent",
+            got.row.residual_indentation,
+            want.row.residual_indentation,
+            allowed * want.row.peak_indentation,
+        )?;
         compared += 1;
     }
     Ok(compared > 0)
@@ -240,7 +252,7 @@ pub fn damping_and_a_plate_only_take(run: &Run) -> Judgement {
     let free = if run.scene.has("half_space.mass") { free.run() } else { bare.run() };
     // without drag it may go in too deep, or beyond the range of the law
     let Ok(free) = free else { return Ok(false) };
-    let (deepest, most) = (run.impact.peak_indentation, free.impact.peak_indentation);
+    let (deepest, most) = (run.impact.row.peak_indentation, free.impact.row.peak_indentation);
     prop_assert!(deepest <= most * (1.0 + 1e-8 + run.error_allowance()), "{} {}", deepest, most);
     if let (Some(plate), None) = (run.contact.forces().plate, run.contact.forces().gravity) {
         let thinner = run.scene.with("half_space.thickness", KeySetting::Number(0.9 * plate.thickness));
@@ -250,12 +262,17 @@ pub fn damping_and_a_plate_only_take(run: &Run) -> Judgement {
             [[&run.impact, &free.impact]].into_iter().chain(thinner.as_ref().map(|thin| [thin, &run.impact]))
         {
             prop_assert!(
-                less.peak_force <= more.peak_force * (1.0 + 1e-8 + run.error_allowance()),
+                less.row.peak_force <= more.row.peak_force * (1.0 + 1e-8 + run.error_allowance()),
                 "{:?} {:?}",
                 less,
                 more
             );
-            prop_assert!(less.restitution <= more.restitution + 1e-8 + run.error_allowance(), "{:?} {:?}", less, more);
+            prop_assert!(
+                less.row.restitution <= more.row.restitution + 1e-8 + run.error_allowance(),
+                "{:?} {:?}",
+                less,
+                more
+            );
         }
     }
     Ok(true)

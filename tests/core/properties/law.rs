@@ -23,22 +23,22 @@ fn law_of(run: &Run) -> Option<(Scales, &Law, Option<LoadingHistory>)> {
 pub fn rows_lie_on_the_law(run: &Run) -> Judgement {
     let Some((scales, law, dent)) = law_of(run) else { return Ok(false) };
     let (impact, ground) = (&run.impact, Surface::new(law, dent.as_ref()));
-    let unloading = ground.unloading(ground.loaded_state(impact.peak_indentation / scales.length));
+    let unloading = ground.unload_at(impact.row.peak_indentation / scales.units.length - ground.first_contact());
     // the distance to the dent is a small difference of two indentations
-    let rounding = 1e-11 * impact.peak_indentation / impact.elastic_approach;
+    let rounding = 1e-11 * impact.row.peak_indentation / impact.elastic_approach;
     // the rows of fixed steps are interpolated
     let trace = if run.is_adaptive() { &impact.trace[..] } else { &[] };
     for row in trace {
-        let x = row.indentation / scales.length;
+        let x = row.indentation / scales.units.length;
         let want = if rank(row) == 2 { unloading.force(x) } else { ground.loaded_state(x).force };
         let got = row.elastic_force.unwrap_or(row.force);
-        assert_close("force", got, want * scales.force, rounding * impact.force_at_peak_indentation)?;
+        assert_close("force", got, want * scales.units.force, rounding * impact.force_at_peak_indentation)?;
     }
     // one that creeps to rest has not turned
     let at_rest = impact.captured_result().and_then(|under| under.static_indentation);
-    if let Some(at_rest) = at_rest.filter(|at_rest| *at_rest < 0.99 * impact.peak_indentation) {
+    if let Some(at_rest) = at_rest.filter(|at_rest| *at_rest < 0.99 * impact.row.peak_indentation) {
         let weight = run.contact.mass() * run.contact.forces().gravity.unwrap();
-        let carried = unloading.force(at_rest / scales.length) * scales.force;
+        let carried = unloading.force(at_rest / scales.units.length) * scales.units.force;
         assert_close("weight", carried, weight, 1e-9 * weight + rounding * impact.force_at_peak_indentation)?;
     }
     Ok(!trace.is_empty())
@@ -48,10 +48,10 @@ pub fn rows_lie_on_the_law(run: &Run) -> Judgement {
 /// was spent, of which a warning tells.
 pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judgement {
     let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
-    let UnloadingRule::PlmRule(rule) = &law.unloading_rule else { return Ok(false) };
+    let UnloadingRule::PlmRule(rule) = law.rule_while_loading() else { return Ok(false) };
     let LawChoice::Plm(plm) = run.scene.input().unwrap().law() else { return Ok(false) };
     let used = run.impact.unloading_exponent;
-    let x = run.impact.peak_indentation / scales.length;
+    let x = run.impact.row.peak_indentation / scales.units.length;
     let peak = law.loaded_state(x);
     let asked = match plm.exponent {
         UnloadingExponent::Paper => 1.5,
@@ -87,27 +87,33 @@ pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judgement {
 pub fn a_force_with_a_memory_goes_the_same_way(run: &Run) -> Judgement {
     let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
     let (contact, mut memory) = (&run.contact, Memory::default());
-    let peak = law.loaded_state(run.impact.peak_indentation / scales.length);
-    let unloading = law.unloading(peak);
+    let peak = law.loaded_state(run.impact.row.peak_indentation / scales.units.length);
+    let unloading = law.unload(peak);
     let (spent, size) = (law.loading.work(peak.indentation), peak.force * peak.indentation);
     for share in [1.0, 0.6, -0.1, 0.6, 1.0, 1.2] {
         let x = peak.residual() + share * peak.elastic_approach;
         let before = memory;
-        let force = contact.force(x * scales.length, &mut memory);
+        let force = contact.force(x * scales.units.length, &mut memory);
         let want = if x > peak.indentation { law.loaded_state(x).force } else { unloading.force(x) };
         let rounding = 1e-13 * peak.indentation / peak.elastic_approach;
-        assert_close("force", force / scales.force, want, rounding * peak.force)?;
-        prop_assert_eq!(contact.force(x * scales.length, &mut memory.clone()), force, "asked twice");
+        assert_close("force", force / scales.units.force, want, rounding * peak.force)?;
+        prop_assert_eq!(contact.force(x * scales.units.length, &mut memory.clone()), force, "asked twice");
         prop_assert!(share > 1.0 || before == Memory::default() || before == memory, "{:?}", memory);
         if share <= 1.0 {
-            let ContactEnergy { stored, plastic } = contact.energy(x * scales.length, force, &memory);
-            assert_close("stored", stored / scales.energy(), unloading.stored_energy(x), rounding * size)?;
-            assert_close("plastic", plastic / scales.energy(), spent - unloading.recoverable_energy(), 1e-12 * spent)?;
+            let ContactEnergy { stored, plastic } = contact.energy(x * scales.units.length, force, &memory);
+            assert_close("stored", stored / scales.units.energy(), unloading.stored_energy(x), rounding * size)?;
+            assert_close(
+                "plastic",
+                plastic / scales.units.energy(),
+                spent - unloading.recoverable_energy(),
+                1e-12 * spent,
+            )?;
         }
         if share == 0.6 {
             let step = 1e-5 * peak.elastic_approach;
             let slope = (unloading.force(x + step) - unloading.force(x - step)) / (2.0 * step);
-            let stiffness = contact.stiffness(x * scales.length, &memory) * scales.length / scales.force;
+            let stiffness =
+                contact.stiffness(x * scales.units.length, &memory) * scales.units.length / scales.units.force;
             assert_close("stiffness", stiffness, slope, 1e-6 * slope)?;
         }
     }
@@ -126,24 +132,24 @@ pub fn a_slow_indentation_is_the_impact_without_motion(run: &Run) -> Judgement {
     let law = input.law();
     let (sphere, half_space) = input.bodies(&law);
     let slow = StaticContact::try_new(&sphere, &half_space, law.as_contact_law()).unwrap();
-    let depth = impact.peak_indentation;
+    let depth = impact.row.peak_indentation;
     let steps = slow.indent(&[To(depth), Load(0.0), To(depth)], None).unwrap().steps;
     let [up, down, again] = steps[..] else { panic!("three steps") };
-    let kinetic = impact.kinetic_in;
+    let kinetic = impact.row.kinetic_in;
     assert_close("force", up.force, impact.force_at_peak_indentation, 1e-12 * up.force)?;
-    assert_close("dent", up.memory.residual_indentation, impact.residual_indentation, 1e-12 * depth)?;
-    if impact.has_dent() {
+    assert_close("dent", up.memory.residual_indentation, impact.row.residual_indentation, 1e-12 * depth)?;
+    if impact.row.has_dent() {
         assert_close(
             "radius",
             up.memory.contact_radius,
-            impact.peak_contact_radius,
-            1e-12 * impact.peak_contact_radius,
+            impact.row.peak_contact_radius,
+            1e-12 * impact.row.peak_contact_radius,
         )?;
     }
     let slope = impact.unloading_exponent * up.force / impact.elastic_approach;
     prop_assert!(!run.is_plm() || relative_error(up.memory.unloading_stiffness, slope) < 1e-11, "{:?}", up.memory);
     assert_close("work", up.work, kinetic, 1e-12 * kinetic)?;
-    assert_close("back", -down.work, impact.restitution.powi(2) * kinetic, 1e-12 * kinetic)?;
+    assert_close("back", -down.work, impact.row.restitution.powi(2) * kinetic, 1e-12 * kinetic)?;
     assert_close("plastic", up.plastic_work, up.work + down.work, 1e-12 * kinetic)?;
     prop_assert_eq!((again.plastic_work, again.memory), (0.0, up.memory));
     assert_close("force again", again.force, up.force, 1e-12 * up.force)?;
@@ -178,11 +184,11 @@ pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judgement {
     let exact = exact_solutions::solve(Surface::new(law, dent.as_ref()), run.speed() / scales.speed, &damped);
     let allowed = 10.0 * run.error_allowance() + 1e-9;
     for (name, got, want) in [
-        ("restitution", run.impact.restitution, exact.restitution),
-        ("largest force", run.impact.peak_force / scales.force, exact.largest_force),
-        ("peak", run.impact.peak_indentation / scales.length, exact.unloading.peak.indentation),
+        ("restitution", run.impact.row.restitution, exact.restitution),
+        ("largest force", run.impact.row.peak_force / scales.units.force, exact.largest_force),
+        ("peak", run.impact.row.peak_indentation / scales.units.length, exact.unloading.peak.indentation),
         ("loading time", run.impact.loading_time / scales.time(), exact.loading_time),
-        ("contact time", run.impact.contact_time / scales.time(), exact.contact_time),
+        ("contact time", run.impact.row.contact_time / scales.time(), exact.contact_time),
     ] {
         assert_close(name, got, want, allowed * want)?;
     }
@@ -192,7 +198,9 @@ pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judgement {
 /// The energy fraction of elastic waves is the integral over loading and unloading.
 pub fn waves_take_the_integral(run: &Run) -> Judgement {
     let is_alone = run.contact.forces().is_none() && run.is_fresh() && run.is_plm() && !run.contact.has_rate();
-    let Some(share) = run.impact.wave_loss_fraction.filter(|_| is_alone && run.is_adaptive()) else { return Ok(false) };
+    let Some(share) = run.impact.row.wave_loss_fraction.filter(|_| is_alone && run.is_adaptive()) else {
+        return Ok(false);
+    };
     let want = crate::impact::waves::loss_by_quadrature(&run.contact, run.speed());
     assert_close("waves", share, want, (1e-10 + run.error_allowance()) * want)?;
     Ok(true)
@@ -209,7 +217,7 @@ pub fn an_impact_deeper_than_the_data_is_warned_of(run: &Run) -> Judgement {
         }
         _ => false,
     };
-    let (depth, deepest) = (run.impact.peak_indentation, run.contact_at_own_rate().validated_indentation());
+    let (depth, deepest) = (run.impact.row.peak_indentation, run.contact_at_own_rate().validated_indentation());
     if !run.is_fresh() || relative_error(depth, deepest) < 1e-9 {
         return Ok(false);
     }

@@ -77,7 +77,7 @@ impl AnyScene {
         let (approach, solver) = (input.approach(), input.solver());
         let (mut before, mut earlier) = (Spot::new(), None);
         if let Some(ratio) = self.earlier {
-            let approach = Approach { speed: approach.speed * ratio, ..approach };
+            let approach = Approach { normal: approach.normal * ratio, along: approach.along * ratio, ..approach };
             earlier = Some(contact.impact_on(&mut before, approach, &solver, None)?);
         }
         let mut after = before.clone();
@@ -142,7 +142,7 @@ pub struct Run {
 impl Run {
     /// The speed normal to the surface.
     pub fn speed(&self) -> f64 {
-        self.approach.components()[0]
+        self.approach.normal
     }
 
     /// The contact with the strength of the strain rate of this impact.
@@ -184,7 +184,7 @@ impl Run {
 
     /// Kinetic energy at first touch, and the work of the weight down to the peak.
     pub fn input_energy(&self) -> f64 {
-        self.impact.kinetic_in + self.weight() * (self.impact.peak_indentation - self.touch())
+        self.impact.row.kinetic_in + self.weight() * (self.impact.row.peak_indentation - self.touch())
     }
 
     /// The error that a method may leave: ten tolerances, and rounding. The methods of `ode_solvers` step in time, in which a
@@ -208,7 +208,7 @@ impl Run {
     pub fn turns_at_subdivision(&self) -> bool {
         let own = self.contact_at_own_rate();
         let (scales, law, _) = own.scaling(self.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
-        let peak = self.impact.peak_indentation / scales.length;
+        let peak = self.impact.row.peak_indentation / scales.units.length;
         if own.yield_speed().is_some_and(|yields| relative_error(self.speed(), yields) <= 10.0 * self.error_allowance())
         {
             return true;

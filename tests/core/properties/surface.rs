@@ -12,42 +12,47 @@ pub fn a_spot_remembers(run: &Run) -> Judgement {
         return Ok(false);
     }
     let mut spot = Spot::new();
-    let before = closed_form_on_spot(contact, &mut spot, (2.0 * earlier.kinetic_in / contact.mass()).sqrt());
+    let before = closed_form_on_spot(contact, &mut spot, (2.0 * earlier.row.kinetic_in / contact.mass()).sqrt());
     let dented = spot.clone();
     let second = closed_form_on_spot(contact, &mut spot, run.speed());
     assert_close("balance error", second.energy.balance_error, 0.0, 1e-12)?;
     let [old, new] = [&dented, &spot].map(|spot| contact.dent_depth(spot));
     prop_assert!(new >= old, "{} {}", old, new);
     // to the last bit by the PLM
-    let rounding = if run.is_plm() { 0.0 } else { 1e-15 * second.peak_indentation };
-    assert_close("dent", second.residual_indentation, new, rounding)?;
+    let rounding = if run.is_plm() { 0.0 } else { 1e-15 * second.row.peak_indentation };
+    assert_close("dent", second.row.residual_indentation, new, rounding)?;
     if spot == dented && dented != Spot::new() {
-        prop_assert_eq!((second.restitution, second.plastic_fraction), (1.0, 0.0));
-        prop_assert!(second.peak_force <= before.peak_force * (1.0 + 1e-14) && new == old, "{:?}", second);
-        assert_close("contact time", second.contact_time, 2.0 * second.loading_time, 1e-13 * second.contact_time)?;
+        prop_assert_eq!((second.row.restitution, second.row.plastic_fraction), (1.0, 0.0));
+        prop_assert!(second.row.peak_force <= before.row.peak_force * (1.0 + 1e-14) && new == old, "{:?}", second);
+        assert_close(
+            "contact time",
+            second.row.contact_time,
+            2.0 * second.loading_time,
+            1e-13 * second.row.contact_time,
+        )?;
         prop_assert_eq!(second.dent_radius, before.dent_radius);
         assert_close(
             "unloading radius",
             second.unloading_radius,
             before.unloading_radius,
-            2.0 * rounding / second.peak_indentation * before.unloading_radius,
+            2.0 * rounding / second.row.peak_indentation * before.unloading_radius,
         )?;
     }
     // beyond the old peak by more than rounding something is lost, but for an exponent that would give back more than was spent
-    let is_deeper = second.peak_indentation > before.peak_indentation * (1.0 + 1e-13);
+    let is_deeper = second.row.peak_indentation > before.row.peak_indentation * (1.0 + 1e-13);
     if run.is_plm() && !run.scene.has("law.plm.unloading_exponent") {
-        prop_assert!(second.restitution != 1.0 || !second.has_dent() || !is_deeper, "{:?}", second);
+        prop_assert!(second.row.restitution != 1.0 || !second.row.has_dent() || !is_deeper, "{:?}", second);
     }
     if new > 0.0 {
         let mut again = spot.clone();
         let back = closed_form_on_spot(contact, &mut again, second.rebound_speed);
-        prop_assert!(back.restitution == 1.0 && (again == spot || rounding > 0.0), "{:?}", back);
-        assert_close("same dent", back.residual_indentation, second.residual_indentation, 2.0 * rounding)?;
+        prop_assert!(back.row.restitution == 1.0 && (again == spot || rounding > 0.0), "{:?}", back);
+        assert_close("same dent", back.row.residual_indentation, second.row.residual_indentation, 2.0 * rounding)?;
         if is_deeper {
             for (name, got, want) in [
-                ("force", back.peak_force, second.peak_force),
-                ("peak", back.peak_indentation, second.peak_indentation),
-                ("radius", back.peak_contact_radius, second.peak_contact_radius),
+                ("force", back.row.peak_force, second.row.peak_force),
+                ("peak", back.row.peak_indentation, second.row.peak_indentation),
+                ("radius", back.row.peak_contact_radius, second.row.peak_contact_radius),
             ] {
                 assert_close(name, got, want, 1e-14 * want)?;
             }
@@ -55,16 +60,16 @@ pub fn a_spot_remembers(run: &Run) -> Judgement {
         }
     }
     let excess = run.speed().powi(2) - before.rebound_speed.powi(2);
-    if excess > 1e-12 * before.speed * before.speed && before.restitution < 1.0 {
+    if excess > 1e-12 * before.speed * before.speed && before.row.restitution < 1.0 {
         let Ok(single) = contact.closed_form(before.speed.hypot(excess.sqrt())) else { return Ok(false) };
-        assert_close("force of both", second.peak_force, single.peak_force, 1e-12 * single.peak_force)?;
+        assert_close("force of both", second.row.peak_force, single.row.peak_force, 1e-12 * single.row.peak_force)?;
         assert_close(
             "peak of both",
-            second.peak_indentation,
-            single.peak_indentation,
-            1e-12 * single.peak_indentation,
+            second.row.peak_indentation,
+            single.row.peak_indentation,
+            1e-12 * single.row.peak_indentation,
         )?;
-        assert_close("dent of both", new, single.residual_indentation, 1e-12 * single.peak_indentation)?;
+        assert_close("dent of both", new, single.row.residual_indentation, 1e-12 * single.row.peak_indentation)?;
         assert_close("rebound of both", second.rebound_speed, single.rebound_speed, 1e-12 * single.rebound_speed)?;
     }
     Ok(true)
@@ -72,11 +77,11 @@ pub fn a_spot_remembers(run: &Run) -> Judgement {
 
 /// The factors of the strength are those of the strain rate of the impact on fresh surface at the normal speed, whatever else acts.
 pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judgement {
-    let Some(rated) = run.impact.strain_rate_result else { return Ok(false) };
+    let Some(rated) = run.impact.row.strain_rate_result else { return Ok(false) };
     let alone = run.contact.clone().with_forces(Forces::default());
     let Ok(alone) = alone.closed_form(run.speed()) else { return Ok(false) };
-    let of_alone = alone.strain_rate_result.unwrap();
-    let w = run.speed() / (run.contact.pair().radius * alone.peak_indentation).sqrt();
+    let of_alone = alone.row.strain_rate_result.unwrap();
+    let w = run.speed() / (run.contact.pair().radius * alone.row.peak_indentation).sqrt();
     // the half-space has the rate, and its factor counts by its share of the flow without it
     let [_, rate] = run.scene.input().unwrap().rates();
     let share = 1.0 - run.contact.pair().yield_point.unwrap().yield_partition.sphere_share;
@@ -139,7 +144,7 @@ pub fn the_law_is_orderly(run: &Run) -> Judgement {
         prop_assert!(peak.elastic_approach > before.elastic_approach, "{x}");
         prop_assert!(law.contact_radius(&peak) >= law.contact_radius(&before), "{x}");
         prop_assert!(peak.residual() >= before.residual() - lost * x, "{}: {:?} {:?}", x, peak, before);
-        let e = (law.unloading(peak).recoverable_energy() / law.loading.work(x)).sqrt();
+        let e = (law.unload(peak).recoverable_energy() / law.loading.work(x)).sqrt();
         prop_assert!(e <= least * (1.0 + rise) && e <= 1.0 + 1e-12, "{}: {} {}", x, e, least);
         (before, least) = (peak, least.min(e));
     }

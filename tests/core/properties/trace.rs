@@ -35,12 +35,12 @@ pub fn rows_are_in_order(run: &Run) -> Judgement {
     }
     let error = if run.is_adaptive() { run.error_allowance() } else { f64::INFINITY };
     // the force of a metal that relaxes is higher than the one that is reported
-    let of_force = if impact.strain_rate_result.is_some() { f64::INFINITY } else { 3.0 * error };
+    let of_force = if impact.row.strain_rate_result.is_some() { f64::INFINITY } else { 3.0 * error };
     let beyond = beyond_the_peak(impact);
     for row in trace {
-        prop_assert!(row.force >= 0.0 && row.force <= impact.peak_force * (1.0 + of_force), "{:?}", row);
+        prop_assert!(row.force >= 0.0 && row.force <= impact.row.peak_force * (1.0 + of_force), "{:?}", row);
         // on a plate the bodies approach a little further once the metal has relaxed
-        let most = if rank(row) == 2 { impact.peak_indentation + beyond } else { impact.peak_indentation };
+        let most = if rank(row) == 2 { impact.row.peak_indentation + beyond } else { impact.row.peak_indentation };
         prop_assert!(row.indentation <= most * (1.0 + error), "{:?}", row);
         prop_assert!(row.speed >= 0.0 || rank(row) == 2, "{:?}", row);
         assert_close(
@@ -49,7 +49,7 @@ pub fn rows_are_in_order(run: &Run) -> Judgement {
             row.indentation,
             1e-15 * row.indentation,
         )?;
-        let dent = if rank(row) == 2 { impact.dent_depth() } else { 0.0 };
+        let dent = if rank(row) == 2 { impact.row.dent_depth() } else { 0.0 };
         prop_assert!(row.half_space_indentation >= dent * (1.0 - 1e-9) - 1e-15 * row.indentation, "{:?}", row);
     }
     Ok(true)
@@ -58,7 +58,7 @@ pub fn rows_are_in_order(run: &Run) -> Judgement {
 /// How far a sphere on a plate may go on at most after the metal has relaxed: up to the force before that.
 fn beyond_the_peak(impact: &Impact) -> f64 {
     let at = impact.trace.iter().position(|row| row.event == Some(Event::Relaxation));
-    let Some(at) = at.filter(|_| impact.plate.is_some()) else { return 0.0 };
+    let Some(at) = at.filter(|_| impact.row.plate.is_some()) else { return 0.0 };
     let [before, after] = [impact.trace[at - 1].force, impact.trace[at].force];
     impact.elastic_approach * ((before / after).powf(1.0 / impact.unloading_exponent) - 1.0)
 }
@@ -74,31 +74,34 @@ pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judgement {
     let is_captured = impact.captured_result().is_some();
     prop_assert_eq!(last.event, Some(if is_captured { Event::Captured } else { Event::Separation }));
     assert_close("end", last.time, impact.duration(), 1e-15 * impact.duration())?;
-    let place = impact.forces_result.map_or(impact.residual_indentation, |under| under.end_indentation);
-    assert_close("place", last.indentation, place, 1e-12 * impact.peak_indentation)?;
+    let place = impact.forces_result.map_or(impact.row.residual_indentation, |under| under.end_indentation);
+    assert_close("place", last.indentation, place, 1e-12 * impact.row.peak_indentation)?;
     if !is_captured {
-        let [back, want] = [-last.sphere_speed.unwrap_or(last.speed), impact.restitution * run.speed()];
+        let [back, want] = [-last.sphere_speed.unwrap_or(last.speed), impact.row.restitution * run.speed()];
         // where e is 1 the last row has the error of the run, as a part of all the energy that was put in
         let of_plain =
             if run.contact.forces().is_none() && run.contact.target_mass().is_none() { 1e-15 } else { 1e-12 };
-        let error = if impact.restitution == 1.0 {
-            run.error_allowance() * run.input_energy() / impact.kinetic_in
+        let error = if impact.row.restitution == 1.0 {
+            run.error_allowance() * run.input_energy() / impact.row.kinetic_in
         } else {
             of_plain
         };
         assert_close("rebound", back, want, error * run.speed().max(want))?;
-        assert_close("last force", last.force, 0.0, damping.map_or(0.0, |_| 1e-6 * impact.peak_force))?;
+        assert_close("last force", last.force, 0.0, damping.map_or(0.0, |_| 1e-6 * impact.row.peak_force))?;
         if run.scene.has("damping.viscous") {
             // during the rebound the sphere separates above the dent
-            prop_assert!(last.indentation > impact.residual_indentation && last.speed < 0.0, "{:?}", last);
+            prop_assert!(last.indentation > impact.row.residual_indentation && last.speed < 0.0, "{:?}", last);
         } else if damping.is_none() {
             prop_assert_eq!(trace.iter().filter(|row| row.force == 0.0).count(), 2);
         }
     }
     if let Some(peak) = trace.iter().find(|row| row.event == Some(Event::Peak)).filter(|_| damping.is_none()) {
-        prop_assert_eq!((peak.indentation, peak.speed, peak.time), (impact.peak_indentation, 0.0, impact.loading_time));
+        prop_assert_eq!(
+            (peak.indentation, peak.speed, peak.time),
+            (impact.row.peak_indentation, 0.0, impact.loading_time)
+        );
         prop_assert!(
-            impact.strain_rate_result.is_some() || peak.force == impact.force_at_peak_indentation,
+            impact.row.strain_rate_result.is_some() || peak.force == impact.force_at_peak_indentation,
             "{:?}",
             peak
         );
@@ -108,7 +111,7 @@ pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judgement {
         prop_assert!(before.event == Some(Event::Peak) && before.time == after.time && before.force > after.force);
         // the reported peak force is the relaxed force and a fifth of its drop
         let reported = after.force + 0.2 * (before.force - after.force);
-        assert_close("relaxed", reported, impact.peak_force, damping.map_or(1e-11, |_| f64::INFINITY) * reported)?;
+        assert_close("relaxed", reported, impact.row.peak_force, damping.map_or(1e-11, |_| f64::INFINITY) * reported)?;
     }
     let even: Vec<f64> = trace.iter().filter(|row| row.event.is_none()).map(|row| row.time).collect();
     prop_assert!(even.len() == samples - 2 || is_captured && even.len() < samples, "{} of {}", even.len(), samples);
@@ -128,10 +131,10 @@ pub fn events_are_where_the_law_has_them(run: &Run) -> Judgement {
     }
     let own = run.contact_at_own_rate();
     let (scales, law, _) = own.scaling(run.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
-    let peak = run.impact.peak_indentation / scales.length;
+    let peak = run.impact.row.peak_indentation / scales.units.length;
     let of = |wanted: Event| -> Vec<f64> {
         let rows = run.impact.trace.iter().filter(|row| row.event == Some(wanted));
-        rows.map(|row| row.indentation / scales.length).collect()
+        rows.map(|row| row.indentation / scales.units.length).collect()
     };
     let (knots, yields) = (of(Event::Knot), of(Event::Yield));
     prop_assert!(of(Event::Touch).len() == 1 && of(Event::Peak).len() <= 1 && yields.len() <= 1);
@@ -144,7 +147,7 @@ pub fn events_are_where_the_law_has_them(run: &Run) -> Judgement {
     let first = match run.before.memory() {
         Some(memory) if !run.contact.has_rate() => Some(memory.indentation),
         Some(_) => None,
-        None => own.yield_indentation_and_force().map(|(indentation, _)| indentation / scales.length),
+        None => own.yield_indentation_and_force().map(|(indentation, _)| indentation / scales.units.length),
     };
     let Some(first) = first else { return Ok(false) };
     prop_assert!(yields.iter().all(|x| relative_error(*x, first) < 1e-12), "{:?} {}", yields, first);
@@ -173,10 +176,10 @@ pub fn samples_are_as_good_as_the_tolerance(run: &Run) -> Judgement {
     let [got, want] = [&run.impact, &exact].map(|impact| impact.trace.iter().filter(|row| row.event.is_none()));
     prop_assert_eq!(got.clone().count(), samples - 2);
     for (got, want) in got.zip(want) {
-        assert_close("time", got.time, want.time, 1e-14 * exact.contact_time)?;
-        assert_close("indentation", got.indentation, want.indentation, allowed * exact.peak_indentation)?;
+        assert_close("time", got.time, want.time, 1e-14 * exact.row.contact_time)?;
+        assert_close("indentation", got.indentation, want.indentation, allowed * exact.row.peak_indentation)?;
         assert_close("speed", got.speed, want.speed, allowed * run.speed())?;
-        assert_close("force", got.force, want.force, allowed * exact.peak_force)?;
+        assert_close("force", got.force, want.force, allowed * exact.row.peak_force)?;
     }
     Ok(samples > 2)
 }

@@ -79,9 +79,10 @@ pub fn units_do_not_matter(run: &Run) -> Judgement {
     let allowed = if is_exact { 1e-12 } else { more * run.error_allowance() };
     // the weight may do nearly all of the work, of which the kinetic energy is a small part; rounding changes the lengths of the
     // steps of friction, whose runs are exact to 1e-7
-    let allowed = if run.impact.has_speed() { allowed * run.input_energy() / run.impact.kinetic_in } else { allowed };
-    let allowed = if run.impact.rebound.is_some() { allowed.max(1e-7) } else { allowed };
-    let sizes = [run.impact.peak_indentation, run.impact.peak_force, run.input_energy()];
+    let allowed =
+        if run.impact.row.has_speed() { allowed * run.input_energy() / run.impact.row.kinetic_in } else { allowed };
+    let allowed = if run.impact.row.rebound.is_some() { allowed.max(1e-7) } else { allowed };
+    let sizes = [run.impact.row.peak_indentation, run.impact.row.peak_force, run.input_energy()];
     let [one, two] = [run, &other].map(|run| (&run.contact, &run.impact));
     let [one, two] = [one, two].map(|(contact, impact)| SingleImpact {
         contact,

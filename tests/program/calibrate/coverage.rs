@@ -68,7 +68,7 @@ fn coverage_shares(made: SyntheticData) -> Vec<[f64; 2]> {
         let impact = contact.closed_form(*speed).unwrap();
         let value = |name: &&str| {
             let quantity = MeasuredQuantity::from_name(name).unwrap();
-            MeasuredValue { row, quantity, value: quantity.predict(&impact, &scene).unwrap(), deviation: None }
+            MeasuredValue { row, quantity, value: quantity.predict(&impact.row, &scene).unwrap(), deviation: None }
         };
         quantities.iter().map(value).collect::<Vec<_>>()
     };

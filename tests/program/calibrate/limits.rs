@@ -21,7 +21,7 @@ fn of_one(restitution: f64, speed: &str) -> (f64, Value) {
 fn restitution(strength: f64, speed: &str) -> f64 {
     let settings = [format!("half_space.yield_strength={strength}"), format!("impact.speed={speed}")];
     let scene = Scenario::from_text("steel", STEEL, &settings).unwrap().resolve().unwrap();
-    scene.contact().unwrap().closed_form(scene.speed()).unwrap().restitution
+    scene.contact().unwrap().closed_form(scene.speed()).unwrap().row.restitution
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn all_of_many_impacts_give_the_strength() {
     let speeds: Vec<f64> = (0..2500).map(|i| 0.5 + 4.5 * f64::from(i) / 2499.0).collect();
     let restitutions = |strength: f64| {
         let steel = crate::common::contact(crate::common::STEEL, &[format!("half_space.yield_strength={strength}")]);
-        speeds.iter().map(|speed| steel.closed_form(*speed).unwrap().restitution).collect::<Vec<_>>()
+        speeds.iter().map(|speed| steel.closed_form(*speed).unwrap().row.restitution).collect::<Vec<_>>()
     };
     // uniform noise with this standard deviation
     let noise = || 0.01 * 12_f64.sqrt() * (random.next_u64() as f64 / 2_f64.powi(64) - 0.5);

@@ -56,7 +56,7 @@ fn the_springs_rebound_as_the_law_does() {
     let contact = steel();
     for speed in [0.05, 3.0, 20.0] {
         let impact = contact.closed_form(speed).unwrap();
-        let (m, e, time) = (contact.mass(), impact.restitution, impact.contact_time);
+        let (m, e, time) = (contact.mass(), impact.row.restitution, impact.row.contact_time);
         let near = |rebound: f64, lasted: f64| {
             assert!((rebound / e - 1.0).abs() < 1e-4, "{speed}: e {rebound}, {e}");
             assert!((lasted / time - 1.0).abs() < 1e-4, "{speed}: {lasted}");
@@ -162,7 +162,7 @@ fn time_step_keeps_restitution_within_one_percent() {
 #[test]
 fn constant_e_has_its_speed_range() {
     let contact = steel();
-    let e = |speed| contact.closed_form(speed).unwrap().restitution;
+    let e = |speed| contact.closed_form(speed).unwrap().row.restitution;
     let [from, to] = constant_restitution_range(&contact, 3.0, e(3.0)).map(Option::unwrap);
     for (end, beyond) in [(from, 0.999 * from), (to, 1.001 * to)] {
         assert!((e(end) / e(3.0) - 1.0).abs() <= MAX_RESTITUTION_ERROR * (1.0 + 1e-9));
@@ -189,7 +189,7 @@ fn header_has_numbers_of_drop_test() {
     let line = text.lines().find(|line| line.contains("dent diameter")).unwrap();
     let numbers: Vec<f64> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
     let fall = 4.5 / 9.80665;
-    let want = [2.0 * impact.peak_contact_radius, impact.restitution * impact.restitution * fall, fall];
+    let want = [2.0 * impact.row.peak_contact_radius, impact.row.restitution * impact.row.restitution * fall, fall];
     assert!(numbers.iter().zip(want).all(|(got, want)| (got / want - 1.0).abs() < 1e-6), "{line} {want:?}");
     assert_eq!(numbers.len(), 3, "{line}");
 }
@@ -203,7 +203,7 @@ fn tables_are_those_of_the_closed_form() {
     assert_eq!(rows.len(), 41, "{text}");
     assert_eq!((rows[0].0, rows[40].0), (0.1, 10.0));
     for (speed, e) in rows {
-        assert!((e - contact.closed_form(speed).unwrap().restitution).abs() < 1e-9, "{speed}");
+        assert!((e - contact.closed_form(speed).unwrap().row.restitution).abs() < 1e-9, "{speed}");
     }
     // a tenth to ten times the 3 m/s of the scenario
     let text = printed(&[STEEL, "--to", "csv"]);
@@ -263,7 +263,7 @@ fn plate_and_damping_are_in_e() {
 /// the wall, here 3 cos(60 deg) and sqrt(2 g h).
 #[test]
 fn motion_of_scenario_is_omitted_and_named() {
-    let law = |speed: f64| steel().closed_form(speed).unwrap().restitution;
+    let law = |speed: f64| steel().closed_form(speed).unwrap().row.restitution;
     let of = |more: &str, arguments: &[&str]| {
         let bodies = crate::common::STEEL.split("[impact]").next().unwrap();
         let law = "[law.plm]\nunloading_exponent = \"pressure-shape\"\n";

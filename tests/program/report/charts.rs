@@ -47,7 +47,7 @@ fn force_loops_fill_the_axes() {
         let curve = drawn.shares(BLUE);
         let highest = curve.iter().fold((0.0, 0.0), |a: (f64, f64), b| if b.1 > a.1 { *b } else { a });
         assert!((highest.0 - 1.0 / 1.06).abs() < 1e-3 && (highest.1 - 1.0 / 1.08).abs() < 1e-3, "{highest:?}");
-        let residual = impact.residual_indentation / (1.06 * impact.peak_indentation);
+        let residual = impact.row.residual_indentation / (1.06 * impact.row.peak_indentation);
         let end = curve.last().unwrap();
         // within the gap between two dashes
         assert!((end.0 - residual).abs() < 8e-3 && end.1.abs() < 8e-3, "{end:?} for {residual}");

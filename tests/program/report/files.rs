@@ -30,8 +30,8 @@ fn ran(set: &[&str]) -> Ran {
 fn summary_numbers_read_back_to_same_bits() {
     let Ran { contact, impact, summary, .. } = ran(&[]);
     for (key, value) in [
-        ("/peak_contact_radius_m", impact.peak_contact_radius),
-        ("/contact_radius_over_R", impact.peak_contact_radius / contact.sphere().radius),
+        ("/peak_contact_radius_m", impact.row.peak_contact_radius),
+        ("/contact_radius_over_R", impact.row.peak_contact_radius / contact.sphere().radius),
         ("/peak_mean_pressure_Pa", impact.peak_mean_pressure),
         ("/residual_radius_m", impact.residual_radius.unwrap()),
         ("/dent_diameter_m", 2.0 * impact.dent_radius.unwrap()),
@@ -83,10 +83,10 @@ fn trace_has_samples_and_events_as_exact_rows() {
     assert_eq!((named("touch"), named("separation")), (vec![0], vec![events.len() - 1]));
     assert_eq!((named("yield").len(), named("knot").len(), named("peak").len()), (1, 20, 1));
     let peak = named("peak")[0];
-    assert_eq!((of("speed_m_per_s")[peak], of("force_N")[peak]), (0.0, impact.peak_force));
+    assert_eq!((of("speed_m_per_s")[peak], of("force_N")[peak]), (0.0, impact.row.peak_force));
     let end = events.len() - 1;
-    assert_eq!((of("time_s")[end], of("force_N")[end]), (impact.contact_time, 0.0));
-    assert_relative_eq!(of("indentation_m")[end], impact.residual_indentation, max_relative = 1e-12);
+    assert_eq!((of("time_s")[end], of("force_N")[end]), (impact.row.contact_time, 0.0));
+    assert_relative_eq!(of("indentation_m")[end], impact.row.residual_indentation, max_relative = 1e-12);
 }
 
 /// The numbers of a check are those of the run, with all digits, in every kind of scene.

@@ -1,8 +1,7 @@
 //! `material` in a scenario: the values that a body takes from it, the keys that replace them, and tables over
 //! materials.
 
-use plm_impact::scenario::input::Input;
-use plm_impact::scenario::input::body_material::Body;
+use plm_impact::scenario::input::{Body, Input};
 
 use crate::common::prelude::*;
 
@@ -39,7 +38,7 @@ fn every_material_works_as_ball_and_plate() {
         for (sphere, half_space) in [(name.as_str(), "steel-s355"), ("alumina-99.5", name.as_str())] {
             let scene = input_of(&pair(sphere, half_space));
             let contact = scene.contact().unwrap();
-            let restitution = contact.closed_form(scene.speed()).unwrap().restitution;
+            let restitution = contact.closed_form(scene.speed()).unwrap().row.restitution;
             let yields = find(half_space).unwrap().is_metal();
             assert_eq!(scene.half_space().yield_strength.is_some(), yields, "{half_space}");
             if !yields {
@@ -238,7 +237,7 @@ fn every_interface_uses_hardness_of_material() {
         let named = pair("steel-52100-hardened", name);
         let written = named.replace(&format!("material = \"{name}\"\n"), &keys(name));
         let impact = contact(&written, NO_OVERRIDES).closed_form(3.0).unwrap();
-        let (e, with_waves) = (impact.restitution, impact.restitution_with_waves().unwrap());
+        let (e, with_waves) = (impact.row.restitution, impact.row.restitution_with_waves().unwrap());
         assert!(e < 0.9, "{name} yields");
         let first = |csv: &str, column: &str| numbers(csv, column)[0];
 

@@ -136,7 +136,7 @@ fn named_power_law_keeps_proof_stress() {
              [law.plm]\nunloading_exponent = \"pressure-shape\"\n[impact]\nspeed = {speed}\n"
         );
         let scene = Scenario::from_text("s.toml", &text, &[]).unwrap().resolve().unwrap();
-        scene.contact().unwrap().closed_form(speed).unwrap().restitution
+        scene.contact().unwrap().closed_form(speed).unwrap().row.restitution
     };
     for (strength, points) in curves {
         let curve = format!("yield_strength = \"{strength}\"\nflow_stress.points = {points}");

@@ -17,7 +17,7 @@ const COOK: &str = "johnson_cook = { c = 0.02 }";
 fn material_gives_rate_only_on_request() {
     let copper = STEEL.replace("yield_strength = \"345 MPa\"", "material = \"copper-annealed\"");
     let asked = copper.replace("[impact]", "rate = \"material\"\n[impact]");
-    let e = |text: &str| scene(text, NO_OVERRIDES).contact().unwrap().closed_form(3.0).unwrap().restitution;
+    let e = |text: &str| scene(text, NO_OVERRIDES).contact().unwrap().closed_form(3.0).unwrap().row.restitution;
     let by_key = copper.replace("[impact]", "rate.johnson_cook.c = 0.025\n[impact]");
     assert_eq!(e(&asked).to_bits(), e(&by_key).to_bits());
     assert_eq!(number_of_key(&scene(&copper, NO_OVERRIDES), "half_space.rate.johnson_cook.c"), None);
@@ -90,7 +90,7 @@ fn rate_and_strength_are_not_fitted_together() {
     let contact = scene(&with_rate("johnson_cook = { c = 0.014 }"), NO_OVERRIDES).contact().unwrap();
     let mut data = "speed_m_per_s,restitution\n".to_owned();
     for speed in [0.3, 0.5, 1.0, 2.0, 3.0, 5.0] {
-        writeln!(data, "{speed},{}", contact.closed_form(speed).unwrap().restitution).unwrap();
+        writeln!(data, "{speed},{}", contact.closed_form(speed).unwrap().row.restitution).unwrap();
     }
     let bodies = STEEL.split("yield_strength").next().unwrap();
     let free = "[calibrate]\ndata = \"d.csv\"\nnoise.restitution = 0.005\n[calibrate.free]\n\

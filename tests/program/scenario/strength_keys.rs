@@ -23,7 +23,7 @@ fn with_flow(flow: &str) -> String {
 }
 
 fn restitution(scene: &Input) -> f64 {
-    scene.contact().unwrap().closed_form(scene.speed()).unwrap().restitution
+    scene.contact().unwrap().closed_form(scene.speed()).unwrap().row.restitution
 }
 
 #[test]
@@ -155,7 +155,7 @@ fn e_of_quenched_steels_is_biased_low() {
             let vickers = 0.002_641_69 * leeb_number * leeb_number - 1.900_271 * leeb_number + 519.8346;
             let hardness = format!("half_space.hardness={vickers} HV");
             let impact = contact(leeb, &[&[&*hardness][..], rate].concat()).closed_form(2.0).unwrap();
-            100.0 * (1e3 * impact.restitution_with_waves().unwrap() / leeb_number - 1.0)
+            100.0 * (1e3 * impact.row.restitution_with_waves().unwrap() / leeb_number - 1.0)
         };
         (500..=860).step_by(20).map(of).collect()
     };

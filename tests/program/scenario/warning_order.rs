@@ -65,7 +65,7 @@ fn bias_of_hardness_without_exponent_is_number() {
         let by_hardness = STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"180 HB\"");
         let flow = format!("half_space.flow_stress.power.exponent={exponent}");
         for speed in [0.5, 1.0, 3.0, 8.0] {
-            let e = |set: &[&str]| contact(&by_hardness, set).closed_form(speed).unwrap().restitution;
+            let e = |set: &[&str]| contact(&by_hardness, set).closed_form(speed).unwrap().row.restitution;
             let bias = e(&[]) / e(&[&flow]);
             assert!((least..most).contains(&bias), "N = {exponent} at {speed} m/s: {bias}");
         }

@@ -35,8 +35,8 @@ struct Line {
 
 impl Line {
     fn of(name: &'static str, impact: &Impact) -> Self {
-        let dent_depth = impact.residual_indentation;
-        let (restitution, peak_force) = (impact.restitution, impact.peak_force);
+        let dent_depth = impact.row.residual_indentation;
+        let (restitution, peak_force) = (impact.row.restitution, impact.row.peak_force);
         Self { name, restitution, contact_time: Some(impact.contact_time), peak_force, dent_depth }
     }
 

@@ -247,7 +247,7 @@ pub fn rebound_of_device(strength: f64) -> f64 {
     let half_space = HalfSpace { density: Some(7850.0), ..HalfSpace::flat(material, Some(strength)) };
     let plm = Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() };
     let impact = Contact::try_new(sphere, half_space, &plm).unwrap().closed_form((2.0 * energy / mass).sqrt()).unwrap();
-    impact.restitution_with_waves().unwrap()
+    impact.row.restitution_with_waves().unwrap()
 }
 
 /// The statements of the pages on strengths that are often used as yield strength, checked with measured rebound

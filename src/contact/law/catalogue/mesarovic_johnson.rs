@@ -7,6 +7,7 @@ use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
 use crate::contact::law::published::{LawParts, LoadedState, Loading, Recovery};
 use crate::numerics::curve::LoadingCurve;
+use crate::numerics::curve::unloading_curve::UnloadingCurveKind;
 
 /// The law of Storåkers, Mesarovic and Johnson.
 ///
@@ -53,7 +54,7 @@ impl ContactLaw for MesarovicJohnson {
         let recovery = |peak: LoadedState| Recovery {
             // 2F/(πE* a) in units of δ_Y; 3F/(4E* a) is f/(a/a_Y)
             elastic_approach: 8.0 / (3.0 * PI) * peak.force / peak.contact_radius,
-            shape: UnloadingShape::UniformPressure,
+            shape: UnloadingShape::Curve(UnloadingCurveKind::UniformPressure),
         };
         LawParts::new(loading, Arc::new(recovery))
     }

@@ -6,6 +6,7 @@ use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
 use crate::contact::law::published::{LawParts, LoadedState, Loading, Recovery};
 use crate::numerics::curve::LoadingCurve;
+use crate::numerics::curve::unloading_curve::UnloadingCurveKind;
 use crate::numerics::functions::cbrt;
 
 /// The law of Yigit and Christoforou.
@@ -49,7 +50,7 @@ impl ContactLaw for YigitChristoforou {
             } else {
                 2.0 * x
             };
-            Recovery { elastic_approach, shape: UnloadingShape::ShiftedHertz }
+            Recovery { elastic_approach, shape: UnloadingShape::Curve(UnloadingCurveKind::ShiftedHertz) }
         });
         LawParts::new(Loading::new(LoadingCurve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()), recovery)
     }

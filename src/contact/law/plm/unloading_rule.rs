@@ -5,9 +5,7 @@ use super::contact_radius::RadiusTable;
 use super::flattening::Flattening;
 use super::hardening::Hardening;
 use crate::contact::law::published::{LoadedState, Recovery, Validity};
-use crate::contact::law::unloading::{
-    ContactState, Unloading, UnloadingExponent, UnloadingShape, allowed_exponent, pressure_shape_exponent,
-};
+use crate::contact::law::unloading::{ContactState, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 /// How the PLM unloads beyond first yield.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,12 +80,6 @@ impl PlmUnloadingRule {
                 [equivalent, hardening.pressure_shape(x, equivalent).equivalent]
             }
         }
-    }
-
-    /// The branch with the requested exponent, if it recovers no more than the work `spent` of loading to the peak.
-    #[inline(always)]
-    pub(crate) fn unloading(&self, peak: ContactState, spent: f64) -> Unloading {
-        Unloading::power(peak, allowed_exponent(spent, &peak, self.requested_exponent(&peak)))
     }
 
     /// The requested exponent; the exponent of Hertz without a dent.

@@ -8,7 +8,7 @@
 
 use crate::contact::law::Surface;
 use crate::impact::problem::forces::ScaledForces;
-use crate::impact::problem::scales::FORCE_FACTOR;
+use crate::impact::problem::scales::{kinetic_energy, speed_at_energy};
 use crate::impact::solve::motion;
 use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
 use crate::impact::solve::recorder::TraceRecorder;
@@ -22,15 +22,15 @@ pub(super) fn solve(
     forces: &ScaledForces,
     tolerance: f64,
 ) -> Result<ScaledResult, IntegrationError> {
-    let (last, distance) = ground.turning_point(0.4 * q * q, forces.weight);
-    let unloading = ground.unloading_from_turn(last, distance, None);
+    let (last, distance) = ground.turning_point(kinetic_energy(q), forces.weight);
+    let unloading = ground.unload(last, distance, None);
     let is_captured = forces.is_captured(&unloading, q);
     // the sphere leaves at the end of the branch, or its run ends at the static indentation
     let at_end = if is_captured { unloading.elastic_approach_at_force(forces.weight) } else { 0.0 };
     let springback = (unloading.peak.elastic_approach - at_end).max(0.0);
     let energy = unloading.recoverable_energy() - unloading.stored_energy_at(at_end) - forces.weight * springback;
     let is_even = !is_captured && forces.is_lossless(ground, &unloading);
-    let speed = if is_even { q } else { (2.0 * FORCE_FACTOR * energy).max(0.0).sqrt() };
+    let speed = if is_even { q } else { speed_at_energy(energy.max(0.0)) };
     let run = motion::integrate(ground, q, forces, &mut Rk8::new(tolerance), &mut TraceRecorder::default())?;
     Ok(ScaledResult {
         unloading,

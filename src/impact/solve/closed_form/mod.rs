@@ -10,7 +10,7 @@ mod gravity;
 use super::outcome::{ImpactEnd, ScaledResult};
 use crate::contact::law::{Surface, Unloading};
 use crate::impact::problem::forces::ScaledForces;
-use crate::impact::problem::scales::FORCE_FACTOR;
+use crate::impact::problem::scales::{FORCE_FACTOR, SQRT_FORCE_FACTOR, kinetic_energy, speed_at_energy};
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::curve::transit::Transit;
 use crate::numerics::functions::atan;
@@ -53,9 +53,9 @@ pub struct EnergySolution {
 #[inline(always)]
 pub fn solve_energy_balance<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> EnergySolution {
     let ground = ground.into();
-    let kinetic = 0.4 * speed * speed;
+    let kinetic = kinetic_energy(speed);
     let (last, distance) = ground.turning_point(kinetic, 0.0);
-    let unloading = ground.unloading_from_turn(last, distance, Some(kinetic));
+    let unloading = ground.unload(last, distance, Some(kinetic));
     // a share that differs from 1 by rounding only is 1, and fresh surface gives back no more than was spent
     let share = unloading.recoverable_energy() / kinetic;
     let is_one = (share - 1.0).abs() < 8.0 * f64::EPSILON;
@@ -71,10 +71,10 @@ pub fn solve<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> ScaledResult {
     let ground = ground.into();
     let EnergySolution { unloading, restitution, kinetic, last, distance } = solve_energy_balance(ground, speed);
     let Transit { piece: first, work, time: mut loading_time } = ground.reloading_path.transit(kinetic, speed);
-    let mut entry = if work == 0.0 { speed } else { (2.0 * FORCE_FACTOR * (kinetic - work)).sqrt() };
+    let mut entry = if work == 0.0 { speed } else { speed_at_energy(kinetic - work) };
     let pieces = ground.reloading_path.pieces();
     for pair in pieces[first..=last].windows(2) {
-        let exit = (2.0 * FORCE_FACTOR * (kinetic - pair[1].work)).sqrt();
+        let exit = speed_at_energy(kinetic - pair[1].work);
         loading_time += piece_time(&pair[0], pair[1].start - pair[0].start, [entry, exit]);
         entry = exit;
     }
@@ -93,9 +93,6 @@ pub fn solve<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> ScaledResult {
         loss: 0.0,
     }
 }
-
-/// √c, so that ω = √c √s on a straight piece of slope s.
-const SQRT_FORCE_FACTOR: f64 = 1.118_033_988_749_895;
 
 /// Time on a piece to a distance from its start, with the speeds at both; 0 is the turning point.
 ///

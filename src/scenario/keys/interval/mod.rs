@@ -76,7 +76,7 @@ impl Uncertainty {
             let other = other.row(approach, &Solver::AUTO).ok()?;
             Some(other.measured_restitution() / restitution - 1.0)
         };
-        let biases = contact.known_biases(approach.components()[0], row)?;
+        let biases = contact.known_biases(approach.normal, row)?;
         let error = law_error(&self.law, contact, row.radius_ratio)?;
         for (range, contacts) in &self.hardness {
             let [low, high] = contacts.each_ref().map(change);

@@ -236,7 +236,7 @@ pub fn strength_notes(input: &Input, contact: &Contact, has_dent: bool, varied: 
 
 /// [`strength_notes`] on a contact of which no impact is computed: none if an impact at the speed of the input stays elastic.
 pub fn expected_notes(input: &Input, contact: &Contact) -> Vec<String> {
-    let [speed, _] = input.approach().components();
+    let speed = input.approach().normal;
     let is_plastic = contact.yield_speed().is_none_or(|slowest| speed.is_nan() || speed > slowest);
     strength_notes(input, contact, is_plastic, &[])
 }

@@ -52,7 +52,7 @@ fn whole_laws_match_tabulated_values() {
         let law = law_of(law.unwrap().as_contact_law());
         let x = unit * row.number("depth");
         let peak = law.loaded_state(x);
-        let e = (law.unloading(peak).stored_energy(x) / law.loading.work(x)).sqrt();
+        let e = (law.unload(peak).stored_energy(x) / law.loading.work(x)).sqrt();
         assert_near(&row, [peak.force / unit.powf(1.5), peak.residual() / x, e]);
     }
 }

@@ -35,9 +35,9 @@ fn energy_that_leaves_no_dent_is_accounted_for() {
             for (method, factor) in STEPPING.into_iter().chain([(Method::ClosedForm, 1.0)]) {
                 let impact = contact.impact(speed, &solver(method, 1e-11), None).unwrap();
                 assert!(
-                    relative_error(impact.restitution.powi(2), 0.8) < 1e-6,
+                    relative_error(impact.row.restitution.powi(2), 0.8) < 1e-6,
                     "{name} {method:?}: {}",
-                    impact.restitution
+                    impact.row.restitution
                 );
                 let energy = impact.energy;
                 let sum = energy.recovered + energy.plastic.unwrap();
@@ -63,7 +63,7 @@ fn energy_gain_under_forces_warns_only_when_gained() {
     for (gravity, damping) in [(None, Damping::Viscous(1e-3)), (Some(1e-6), Damping::HuntCrossley(1e-3 / speed))] {
         let damped = contact.clone().with_forces(Forces { gravity, damping: Some(damping), ..Forces::default() });
         let impact = damped.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
-        assert!(impact.restitution < 1.0 && !gains(&impact), "{} {:?}", impact.restitution, impact.warnings);
+        assert!(impact.row.restitution < 1.0 && !gains(&impact), "{} {:?}", impact.row.restitution, impact.warnings);
     }
     // a second hit beyond a knot gains 1e-5 of e (as in `energy_gain_at_knot_warns`), and damping takes less than
     // that
@@ -83,7 +83,7 @@ fn energy_gain_under_forces_warns_only_when_gained() {
         let hit = |spot: &mut Spot| damped.impact_on(spot, speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         assert!(!gains(&hit(&mut spot)));
         let second = hit(&mut spot);
-        assert!(second.restitution > 1.0 && gains(&second), "{} {:?}", second.restitution, second.warnings);
+        assert!(second.row.restitution > 1.0 && gains(&second), "{} {:?}", second.row.restitution, second.warnings);
     }
     // a heavy sphere that is slow at first touch falls into its own dent: it leaves faster than it came, although
     // energy is lost
@@ -98,6 +98,6 @@ fn energy_gain_under_forces_warns_only_when_gained() {
     };
     let contact = under(&heavy, &by_name("stronge + kogut_etsion"), Some(2.758e6), None);
     let impact = contact.impact(2.2e-3 * unit_speed(&contact), &solver(Method::Rk8, 1e-11), None).unwrap();
-    assert!(impact.restitution > 100.0 && impact.energy.plastic.unwrap() > 0.0, "{impact:?}");
+    assert!(impact.row.restitution > 100.0 && impact.energy.plastic.unwrap() > 0.0, "{impact:?}");
     assert!(!gains(&impact), "{:?}", impact.warnings);
 }

@@ -49,8 +49,8 @@ fn any_creep() -> impl Strategy<Value = (Scene, f64, Forces)> {
 
 /// Whether the errors of peak and dent, over the peak indentation, are below ten times the tolerance.
 fn is_right(peak: f64, dent: f64, fine: &Impact, tolerance: f64) -> bool {
-    let missed = (dent - fine.residual_indentation).abs() / fine.peak_indentation;
-    relative_error(peak, fine.peak_indentation) < 10.0 * tolerance && missed < 10.0 * tolerance
+    let missed = (dent - fine.row.residual_indentation).abs() / fine.row.peak_indentation;
+    relative_error(peak, fine.row.peak_indentation) < 10.0 * tolerance && missed < 10.0 * tolerance
 }
 
 #[test]
@@ -63,12 +63,12 @@ fn overdamped_sphere_sinks_to_static_equilibrium() {
         for tolerance in [1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {
             let impact = contact.impact(0.0, &solver(method, tolerance), None).unwrap();
             // 92.22 um by an independent integration of order 16
-            let at = format!("{} {tolerance:e}: {:e}", method.name(), impact.peak_indentation);
-            assert!((impact.peak_indentation - 92.22e-6).abs() < 0.005e-6, "{at}");
+            let at = format!("{} {tolerance:e}: {:e}", method.name(), impact.row.peak_indentation);
+            assert!((impact.row.peak_indentation - 92.22e-6).abs() < 0.005e-6, "{at}");
             // at rest the force of the law is the weight; the run ends one part in a thousand before it
             let at_rest = impact.forces_result.unwrap().static_indentation.unwrap();
             assert_eq!(fate(&impact), ImpactEnd::Captured);
-            assert!(relative_error(impact.peak_indentation, 0.999 * at_rest) < 1e-12, "{at}");
+            assert!(relative_error(impact.row.peak_indentation, 0.999 * at_rest) < 1e-12, "{at}");
         }
     }
 }
@@ -92,7 +92,7 @@ fn a_creep_has_no_false_turning_point() {
                     got => got.unwrap(),
                 };
                 let says_so = got.warnings.iter().any(|warning| warning.kind == WarningKind::EnergyImbalance);
-                let (peak, dent) = (got.peak_indentation, got.residual_indentation);
+                let (peak, dent) = (got.row.peak_indentation, got.row.residual_indentation);
                 let is_right = is_right(peak, dent, &fine, tolerance);
                 prop_assert!(is_right || says_so, "{} {:e}: {peak:e} {dent:e}, {fine:?}", method.name(), tolerance);
                 prop_assert_eq!(fate(&got), fate(&fine));
@@ -115,7 +115,7 @@ fn hardly_oscillating_sphere_comes_to_rest() {
         for tolerance in LOOSE {
             for (method, _) in STEPPING {
                 let got = contact.impact(0.0, &solver(method, tolerance), None).unwrap();
-                let is_right = is_right(got.peak_indentation, got.residual_indentation, &fine, tolerance);
+                let is_right = is_right(got.row.peak_indentation, got.row.residual_indentation, &fine, tolerance);
                 assert!(is_right && got.stats.steps < 200, "{zeta} {} {tolerance:e}", method.name());
             }
         }

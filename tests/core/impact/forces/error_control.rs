@@ -30,8 +30,8 @@ fn step_just_before_separation_does_not_miss_it() {
     let fine = contact.impact(speed, &solver(Method::Rk8, 1e-13), None).unwrap();
     let got = contact.impact(speed, &solver(Method::Dopri5, tolerance), None).unwrap();
     assert!(got.energy.balance_error < 1e3 * tolerance, "{:e}", got.energy.balance_error);
-    assert!(relative_error(got.restitution, fine.restitution) < 1e3 * tolerance);
-    assert!(relative_error(got.contact_time, fine.contact_time) < 1e3 * tolerance);
+    assert!(relative_error(got.row.restitution, fine.row.restitution) < 1e3 * tolerance);
+    assert!(relative_error(got.row.contact_time, fine.row.contact_time) < 1e3 * tolerance);
     assert!(!got.warnings.iter().any(|warning| warning.kind == WarningKind::EnergyImbalance));
 }
 
@@ -97,7 +97,10 @@ fn weight_above_force_allows_no_turning_point() {
     let exact = contact.closed_form(speed).unwrap();
     for tolerance in [1e-3, 9.85e-4, 5e-4, 1e-4, 1e-6] {
         let impact = contact.impact(speed, &solver(Method::Rk8, tolerance), Some(10)).unwrap();
-        assert!(relative_error(impact.peak_indentation, exact.peak_indentation) < 10.0 * tolerance, "{tolerance:e}");
+        assert!(
+            relative_error(impact.row.peak_indentation, exact.row.peak_indentation) < 10.0 * tolerance,
+            "{tolerance:e}"
+        );
         assert!(impact.energy.balance_error < 10.0 * tolerance, "{tolerance:e}: {:e}", impact.energy.balance_error);
     }
 }

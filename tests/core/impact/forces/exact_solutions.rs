@@ -105,7 +105,7 @@ pub fn solve<'a>(ground: impl Into<Surface<'a>>, q: f64, forces: &ScaledForces) 
             let force = branch.power_stiffness() * distance.powf(branch.exponent);
             branch.with_peak(ContactState { indentation, force, elastic_approach: distance })
         }
-        None => ground.unloading(ground.loaded_state(piece.start + distance)),
+        None => ground.unload_at(piece.start + distance - ground.first_contact()),
     };
     let loading_time = loading_time(&pieces[..=last], distance, q, weight, speeds);
     let is_captured = forces.is_captured(&unloading, q);

@@ -22,10 +22,10 @@ fn friction_goes_with_a_plate() {
     assert_abs_diff_eq!(on_thick.contact_point_restitution, on_block.contact_point_restitution, epsilon = 2e-5);
     // it slides all the time: the impulse of friction is mu times that of the plate on the sphere, (1 + e) m v
     let slides = approach(1.0, 60.0, 0.15, 0.0);
-    let [normal_speed, tangential_speed] = slides.components();
+    let (normal_speed, tangential_speed) = (slides.normal, slides.along);
     let (on_plate, rebound) = impact(&on_plate(5e-3), slides, None);
-    assert!(on_plate.restitution < 0.9 * impact(&steel(&LawChoice::default()), slides, None).0.restitution);
-    let left = tangential_speed - 0.15 * (1.0 + on_plate.restitution) * normal_speed;
+    assert!(on_plate.row.restitution < 0.9 * impact(&steel(&LawChoice::default()), slides, None).0.row.restitution);
+    let left = tangential_speed - 0.15 * (1.0 + on_plate.row.restitution) * normal_speed;
     assert_relative_eq!(rebound.tangential_speed, left, max_relative = 1e-7);
 }
 
@@ -42,32 +42,33 @@ fn hopping_ball_keeps_spin_and_path() {
     let radius = contact.sphere().radius;
     // over the mass: v R + (2/5) R² ω
     let momentum = |speed: f64, spin: f64| speed * radius + 0.4 * radius * radius * spin;
-    let begun = momentum(first.components()[1], 0.0);
+    let begun = momentum(first.along, 0.0);
     let (mut place, mut lost) = (0.0, 0.0);
     for (i, hit) in series.impacts.iter().enumerate() {
         let alone = contact.impact(hit.approach, &Solver::AUTO, None).unwrap();
-        let (rebound, after) = (alone.rebound.unwrap(), hit.rebound.unwrap());
+        let (rebound, after) = (alone.row.rebound.unwrap(), hit.impact.row.rebound.unwrap());
         assert_eq!((rebound.tangential_speed, rebound.spin), (after.tangential_speed, after.spin));
         assert_relative_eq!(momentum(after.tangential_speed, after.spin), begun, max_relative = 1e-12);
         assert_abs_diff_eq!(hit.position, place, epsilon = 1e-12);
-        lost += hit.oblique.unwrap().loss;
+        lost += hit.impact.oblique.unwrap().loss;
         if let Some(flight) = hit.flight {
-            let in_contact = 0.5 * (hit.tangential_speed().unwrap() + after.tangential_speed) * hit.contact_time;
+            let in_contact =
+                0.5 * (hit.tangential_speed().unwrap() + after.tangential_speed) * hit.impact.row.contact_time;
             place += in_contact + after.tangential_speed * flight.duration;
             let next = series.impacts[i + 1].approach;
-            let [normal, along] = next.components();
+            let Approach { normal, along, .. } = next;
             assert_relative_eq!(normal, flight.landing_speed, max_relative = 1e-12);
             assert_relative_eq!(along, after.tangential_speed, max_relative = 1e-12);
-            assert_eq!(next.incidence.unwrap().spin, after.spin);
+            assert_eq!(next.spin, after.spin);
         }
     }
     // in the end it rolls: v = R ω = begun/(1 + 2/5)/R, and friction has taken the rest, (1/7) m v²
-    let last = series.impacts[11].rebound.unwrap();
+    let last = series.impacts[11].impact.row.rebound.unwrap();
     assert_relative_eq!(last.tangential_speed, begun / (1.4 * radius), max_relative = 1e-6);
-    let all = first.components()[1].powi(2) * contact.mass() / 7.0;
+    let all = first.along.powi(2) * contact.mass() / 7.0;
     assert_relative_eq!(lost, all, max_relative = 1e-6);
     // straight down with no spin it is the ball that bounces on one place
-    let straight = Approach { incidence: Some(Incidence { angle: 0.0, spin: 0.0, friction: 0.2 }), ..first };
+    let straight = Approach::at_angle(2.0, 0.0, 0.0, 0.2);
     let of = |approach: Approach| {
         let drive = SeriesMode::Bouncing { gravity: 9.81, drop_height: None, approach, most: 5, until: None };
         ImpactSeries { spot_mode: SpotMode::Fresh, mode: drive }.run(&contact, &Solver::AUTO, 2, None).unwrap()
@@ -75,8 +76,8 @@ fn hopping_ball_keeps_spin_and_path() {
     let (with, without) = (of(straight), of(2.0.into()));
     for (one, other) in with.impacts.iter().zip(&without.impacts) {
         assert_eq!(
-            (one.time, one.speed, one.position, one.rebound_speed),
-            (other.time, other.speed, 0.0, other.rebound_speed)
+            (one.time, one.approach.normal, one.position, one.rebound_speed),
+            (other.time, other.approach.normal, 0.0, other.rebound_speed)
         );
     }
 }

@@ -22,13 +22,13 @@ fn rate_of_one_body_keeps_yielding_body() {
     let want = ball_on_wall(1e9).closed_form(3.0).unwrap();
     for strength in [376e6, 380e6, 400e6, 440e6, 480e6, 500e6] {
         let impact = ball_on_wall(strength).closed_form(3.0).unwrap();
-        assert!((impact.restitution - 0.50313).abs() < 5e-6, "{strength}: {}", impact.restitution);
+        assert!((impact.row.restitution - 0.50313).abs() < 5e-6, "{strength}: {}", impact.row.restitution);
         assert_eq!(
-            (impact.restitution, impact.strain_rate_result),
-            (want.restitution, want.strain_rate_result),
+            (impact.row.restitution, impact.row.strain_rate_result),
+            (want.row.restitution, want.row.strain_rate_result),
             "{strength}"
         );
-        let StrainRateResult { factor, factor_at_peak, .. } = impact.strain_rate_result.unwrap();
+        let StrainRateResult { factor, factor_at_peak, .. } = impact.row.strain_rate_result.unwrap();
         assert!(factor > 1.6 && factor > factor_at_peak && factor_at_peak > 1.3, "{factor} {factor_at_peak}");
         let point = ball_on_wall(strength).at_speed(3.0).unwrap().pair().yield_point.unwrap();
         assert!(point.yield_partition.is_sphere && relative_error(point.strength, 300e6 * factor) < 1e-15);
@@ -38,7 +38,7 @@ fn rate_of_one_body_keeps_yielding_body() {
 /// e has no step where the strength of the wall passes that of the ball, nor where the wall stops to flow.
 #[test]
 fn restitution_is_continuous_in_the_ratio_of_strengths() {
-    let e = |ratio: f64| ball_on_wall(300e6 * ratio).closed_form(3.0).unwrap().restitution;
+    let e = |ratio: f64| ball_on_wall(300e6 * ratio).closed_form(3.0).unwrap().row.restitution;
     let mut before = e(0.6);
     for i in 1..=140_i32 {
         let ratio = 0.6 + 0.01 * f64::from(i);
@@ -49,7 +49,7 @@ fn restitution_is_continuous_in_the_ratio_of_strengths() {
         before = above;
     }
     let [soft, equal, hard] = [0.79, 1.0, 1.26].map(|ratio| ball_on_wall(300e6 * ratio).closed_form(3.0).unwrap());
-    let [soft, equal, hard] = [soft, equal, hard].map(|impact| impact.strain_rate_result.unwrap());
+    let [soft, equal, hard] = [soft, equal, hard].map(|impact| impact.row.strain_rate_result.unwrap());
     assert_eq!((soft.factor, soft.factor_at_peak), (1.0, 1.0), "the wall flows alone, and has no rate");
     // bodies of one modulus share the flow in halves
     assert!((equal.factor - 1.0) / (hard.factor - 1.0) > 0.49 && (equal.factor - 1.0) / (hard.factor - 1.0) < 0.51);
@@ -77,7 +77,7 @@ fn relaxed_metal_recovers_at_most_work_spent() {
     let contact = contact(text, NO_OVERRIDES);
     for method in [Method::ClosedForm, Method::Rk8, Method::Dop853] {
         let impact = contact.impact(19.192_391_091_278_76, &solver(method, 1e-12), None).unwrap();
-        assert!((impact.restitution - 1.0).abs() < 1e-11, "{method:?}: {}", impact.restitution);
+        assert!((impact.row.restitution - 1.0).abs() < 1e-11, "{method:?}: {}", impact.row.restitution);
         assert!(impact.energy.plastic.unwrap() >= 0.0 && impact.energy.balance_error < 1e-11);
         assert!(impact.warnings.iter().all(|warning| warning.kind != WarningKind::Inaccurate), "{:?}", impact.warnings);
     }
@@ -92,14 +92,14 @@ fn the_force_never_rises_where_the_metal_relaxes() {
         for i in 1..400 {
             let speed = contact.yield_speed().unwrap() * (1.0 + 2e-3 * f64::from(i));
             let impact = contact.closed_form(speed).unwrap();
-            let strength = 345e6 * impact.strain_rate_result.unwrap().factor;
+            let strength = 345e6 * impact.row.strain_rate_result.unwrap().factor;
             let loading = scene(STEEL, &[format!("half_space.yield_strength={strength:e}")]).contact().unwrap();
-            let force = loading.force(impact.peak_indentation, &mut Memory::default());
+            let force = loading.force(impact.row.peak_indentation, &mut Memory::default());
             assert!(impact.force_at_peak_indentation <= force * (1.0 + 1e-12), "{speed}: {impact:?} {force}");
-            assert!(impact.restitution <= 1.0 && impact.plastic_fraction >= 0.0, "{speed}");
+            assert!(impact.row.restitution <= 1.0 && impact.row.plastic_fraction >= 0.0, "{speed}");
         }
     }
-    assert!(plain.contact().unwrap().closed_form(3.0).unwrap().strain_rate_result.is_none());
+    assert!(plain.contact().unwrap().closed_form(3.0).unwrap().row.strain_rate_result.is_none());
 }
 
 /// On a plate the momentum of the ball stays where the metal relaxes: its speed does not jump, the impulse of the force is the
@@ -117,16 +117,18 @@ fn plate_keeps_momentum_at_relaxation() {
         let contact = contact(STEEL, &[&keys[..], &[&thickness]].concat());
         for method in [Method::Rk8, Method::Dop853] {
             let impact = contact.impact(3.0, &solver(method, 1e-11), Some(4001)).unwrap();
-            assert!((impact.restitution - restitution).abs() < 1e-5, "{}", impact.restitution);
+            assert!((impact.row.restitution - restitution).abs() < 1e-5, "{}", impact.row.restitution);
             let at = impact.trace.iter().position(|row| row.event == Some(Event::Relaxation)).unwrap();
             let [before, after] = [impact.trace[at - 1], impact.trace[at]];
             assert!(before.event == Some(Event::Peak) && before.force > 1.1 * after.force);
             assert!((after.sphere_speed.unwrap() - before.sphere_speed.unwrap()).abs() < 1e-13);
             let rows = impact.trace.windows(2);
             let impulse: f64 = rows.map(|two| (two[1].time - two[0].time) * 0.5 * (two[0].force + two[1].force)).sum();
-            let momentum = contact.mass() * (1.0 + impact.restitution) * 3.0;
+            let momentum = contact.mass() * (1.0 + impact.row.restitution) * 3.0;
             assert!(relative_error(impulse, momentum) < 1e-6, "{impulse} {momentum}");
-            let shares = impact.recovered_fraction() + impact.plastic_fraction + impact.plate_loss_fraction().unwrap();
+            let shares = impact.row.recovered_fraction()
+                + impact.row.plastic_fraction
+                + impact.row.plate_loss_fraction().unwrap();
             assert!(
                 (shares - 1.0).abs() < 1e-9 && impact.energy.balance_error < 1e-9,
                 "{shares} {}",
@@ -136,6 +138,6 @@ fn plate_keeps_momentum_at_relaxation() {
         // in fixed steps to the order of a step
         let steps = Solver { method: Method::Verlet, steps_per_contact: 4000, ..Solver::default() };
         let fixed = contact.impact(3.0, &steps, None).unwrap();
-        assert!((fixed.restitution - restitution).abs() < 1e-4, "{}", fixed.restitution);
+        assert!((fixed.row.restitution - restitution).abs() < 1e-4, "{}", fixed.row.restitution);
     }
 }

@@ -73,13 +73,13 @@ fn rate_creates_no_energy_and_keeps_dents() {
                 Err(ImpactError::TooDeep { .. } | ImpactError::Law(_) | ImpactError::Plate(_)) => return Ok(false),
                 Err(error) => return Err(TestCaseError::fail(error.to_string())),
             };
-            let depth = impact.peak_indentation;
-            prop_assert!(impact.restitution <= 1.0 + 1e-9, "e = {}", impact.restitution);
-            prop_assert!(impact.plastic_fraction >= 0.0, "{}", impact.plastic_fraction);
+            let depth = impact.row.peak_indentation;
+            prop_assert!(impact.row.restitution <= 1.0 + 1e-9, "e = {}", impact.row.restitution);
+            prop_assert!(impact.row.plastic_fraction >= 0.0, "{}", impact.row.plastic_fraction);
             prop_assert!(impact.energy.balance_error < 1e-8, "{}", impact.energy.balance_error);
             prop_assert!(contact.dent_depth(&spot) >= dent - 1e-12 * depth, "{} {}", contact.dent_depth(&spot), dent);
             let left = contact.dent_depth(&spot);
-            prop_assert!((impact.residual_indentation - left).abs() <= 1e-12 * depth, "{impact:?}");
+            prop_assert!((impact.row.residual_indentation - left).abs() <= 1e-12 * depth, "{impact:?}");
             reloaded.set(reloaded.get() + usize::from(dent > 0.0 && left > dent));
             dent = left;
             if let Some(at) = impact.trace.iter().position(|row| row.event == Some(Event::Relaxation)) {

@@ -1,0 +1,93 @@
+//! How a contact unloads: the rules, and the one way from a point of the loading curve to an unloading branch.
+
+use super::peak_law::PeakLaw;
+use super::plm::unloading_rule::PlmUnloadingRule;
+use super::published::PublishedRule;
+use super::unloading::{ContactState, Unloading, allowed_exponent};
+use crate::numerics::curve::LoadingCurve;
+
+/// A point of a loading curve from which the contact unloads, and what is known about it already.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadedPoint {
+    /// x.
+    pub indentation: f64,
+    /// f.
+    pub force: f64,
+    /// The work of loading; `None` if it is to be taken from the curve.
+    pub work: Option<f64>,
+    /// ε, if the contact remembers it.
+    pub elastic_approach: Option<f64>,
+}
+
+impl From<ContactState> for LoadedPoint {
+    /// A state that a contact remembers.
+    fn from(state: ContactState) -> Self {
+        let ContactState { indentation, force, elastic_approach } = state;
+        Self { indentation, force, work: None, elastic_approach: Some(elastic_approach) }
+    }
+}
+
+/// How a contact unloads after loading beyond the elastic regime.
+#[derive(Debug, Clone)]
+pub enum UnloadingRule {
+    /// Along Hertz's curve, at any load.
+    Hertz,
+    PlmRule(Box<PlmUnloadingRule>),
+    Published(Box<PublishedRule>),
+    /// By the law of a metal that relaxes at maximum compression.
+    Relaxed(Box<PeakLaw>),
+}
+
+impl UnloadingRule {
+    /// The unloading branch from a point of this loading curve.
+    #[inline(always)]
+    pub(super) fn unload(&self, loading: &LoadingCurve, at: &LoadedPoint) -> Unloading {
+        let &LoadedPoint { indentation, force, .. } = at;
+        let work = || at.work.unwrap_or_else(|| loading.work(indentation));
+        let peak = |elastic_approach| ContactState { indentation, force, elastic_approach };
+        match self {
+            Self::Hertz => Unloading::power(peak(at.elastic_approach.unwrap_or(indentation)), 1.5),
+            Self::PlmRule(rule) => {
+                let approach = || rule.elastic_approach(indentation, force);
+                let peak = peak(at.elastic_approach.unwrap_or_else(approach));
+                Unloading::power(peak, allowed_exponent(work(), &peak, rule.requested_exponent(&peak)))
+            }
+            Self::Published(rule) => rule.unload(indentation, force, work()),
+            // the force of a memory is the force after the relaxation
+            Self::Relaxed(law) => law.unload(indentation, loading.force(indentation), work()),
+        }
+    }
+
+    /// ε at a point (x, f) of this loading curve while it loads.
+    pub(super) fn elastic_approach(&self, loading: &LoadingCurve, x: f64, force: f64) -> f64 {
+        match self {
+            Self::Hertz => x,
+            Self::PlmRule(rule) => rule.elastic_approach(x, force),
+            Self::Published(rule) => rule.unload(x, force, loading.work(x)).peak.elastic_approach,
+            Self::Relaxed(law) => law.while_loading.elastic_approach(loading, x, force),
+        }
+    }
+
+    /// The rule before a metal relaxes.
+    pub(super) fn while_loading(&self) -> &Self {
+        if let Self::Relaxed(law) = self { &law.while_loading } else { self }
+    }
+
+    /// Contact radius a/a_L at a peak that leaves no dent.
+    pub(super) fn elastic_contact_radius(&self, peak: &ContactState) -> f64 {
+        match self.while_loading() {
+            Self::PlmRule(rule) => rule.contact_radius(peak),
+            _ => peak.force / peak.elastic_approach,
+        }
+    }
+
+    /// Contact radius a/a_L at a peak that leaves a dent.
+    pub(super) fn contact_radius(&self, peak: &ContactState) -> f64 {
+        match self {
+            Self::Hertz => peak.force / peak.elastic_approach,
+            Self::PlmRule(rule) => rule.contact_radius(peak),
+            Self::Published(rule) => (rule.contact_radius)(peak.indentation, peak.force),
+            Self::Relaxed(law) => law.contact_radius(peak.indentation),
+        }
+    }
+}
