@@ -37,7 +37,7 @@ impl Line {
     fn of(name: &'static str, impact: &Impact) -> Self {
         let dent_depth = impact.row.residual_indentation;
         let (restitution, peak_force) = (impact.row.restitution, impact.row.peak_force);
-        Self { name, restitution, contact_time: Some(impact.contact_time), peak_force, dent_depth }
+        Self { name, restitution, contact_time: Some(impact.row.contact_time), peak_force, dent_depth }
     }
 
     fn cells(&self, reference: &Self) -> Vec<String> {
@@ -94,8 +94,8 @@ fn spring(name: &'static str, speed: f64, k2_rises: bool) -> Line {
     let fitted = contact.closed_form(FITTED).unwrap();
     let (yield_indentation, yield_force) = contact.yield_indentation_and_force().unwrap();
     let mass = contact.mass();
-    let k1 = (fitted.peak_force / FITTED).powi(2) / mass;
-    let excess = (fitted.restitution.powi(-2) - 1.0) * if k2_rises { speed / FITTED } else { 1.0 };
+    let k1 = (fitted.row.peak_force / FITTED).powi(2) / mass;
+    let excess = (fitted.row.restitution.powi(-2) - 1.0) * if k2_rises { speed / FITTED } else { 1.0 };
     let law =
         WaltonBraun { loading_stiffness: k1 * yield_indentation / yield_force, stiffness_ratio: 1.0 / (1.0 + excess) };
     let line = by_law(name, &law, speed);
@@ -131,9 +131,10 @@ fn load_cycle(name: &'static str, speed: f64) -> Line {
         interpolated(&nodes, spent)
     };
     // interpolation alone changes e of the law by less than 1 %
-    let by_nodes =
-        at_speed(&|row| contact.closed_form((2.0 * row.number("spent") * scale / mass).sqrt()).unwrap().restitution);
-    assert_relative_eq!(by_nodes, contact.closed_form(speed).unwrap().restitution, max_relative = 1e-2);
+    let by_nodes = at_speed(&|row| {
+        contact.closed_form((2.0 * row.number("spent") * scale / mass).sqrt()).unwrap().row.restitution
+    });
+    assert_relative_eq!(by_nodes, contact.closed_form(speed).unwrap().row.restitution, max_relative = 1e-2);
     Line {
         name,
         restitution: at_speed(&|row| row.number("restitution")),
