@@ -128,6 +128,14 @@ impl Law {
         matches!(self.unloading_rule, UnloadingRule::Relaxed(_))
     }
 
+    /// The drop of the force where loading turns into this branch; only a metal that relaxes has one.
+    pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
+        match self.rule_at(unloading.peak.indentation) {
+            UnloadingRule::Relaxed(law) => law.force_drop(&self.loading, unloading),
+            _ => 0.0,
+        }
+    }
+
     /// The unloading branch from a point of the loading curve, or from a state that a contact remembers. If loading was elastic
     /// (ε = x), n = 3/2 for every rule. The branch never recovers more than was spent.
     #[inline(always)]

@@ -13,6 +13,7 @@
 use super::recovery::{LoadedPoint, UnloadingRule};
 use super::unloading::{ContactState, OLD_PEAK_ROUNDING, Unloading, allowed_exponent};
 use super::{ExponentClamp, Law, LawError};
+use crate::numerics::curve::LoadingCurve;
 
 /// The law at maximum compression of a metal that relaxes there (strain-rate dependence).
 #[derive(Debug, Clone)]
@@ -76,6 +77,13 @@ impl PeakLaw {
         self.law.check(&self.in_own_units(unloading))
     }
 
+    /// The drop of the force where this loading curve turns into this branch; 0 if the drop is rounding.
+    pub(super) fn force_drop(&self, loading: &LoadingCurve, unloading: &Unloading) -> f64 {
+        let ContactState { indentation, force, .. } = unloading.peak;
+        let fall = loading.force(indentation) - force;
+        if fall > OLD_PEAK_ROUNDING * force { fall } else { 0.0 }
+    }
+
     /// Contact radius a/a_L of a turn at x.
     pub(super) fn contact_radius(&self, x: f64) -> f64 {
         let [length, _] = self.units();
@@ -94,15 +102,5 @@ impl Law {
     /// True if the loading is the same in units of any strength: the PLM of bodies whose strength is constant, with a dent alone.
     pub(crate) fn has_universal_curve(&self) -> bool {
         matches!(&self.unloading_rule, UnloadingRule::PlmRule(rule) if rule.hardening.is_none() && rule.flattening.is_none())
-    }
-
-    /// The drop of the force where loading turns into this branch; 0 if the drop is rounding.
-    pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
-        let ContactState { indentation, force, .. } = unloading.peak;
-        if !(self.relaxes() && self.leaves_dent(indentation)) {
-            return 0.0;
-        }
-        let fall = self.loading.force(indentation) - force;
-        if fall > OLD_PEAK_ROUNDING * force { fall } else { 0.0 }
     }
 }

@@ -115,7 +115,7 @@ impl Unloading {
             UnloadingShape::Curve(UnloadingCurveKind::ShiftedHertz) if peak.residual() <= 0.0 => Self::power(peak, 1.5),
             UnloadingShape::Curve(kind) => {
                 let ContactState { force, elastic_approach: length, .. } = peak;
-                Self::with_curve(peak, UnloadingCurve { kind, length, force, residual: peak.residual().max(0.0) })
+                Self::with_curve(peak, UnloadingCurve::new(kind, length, force, peak.residual().max(0.0)))
             }
         }
     }
@@ -188,12 +188,7 @@ impl Unloading {
             force: of_peak * force,
             elastic_approach: elastic_approach * length,
         };
-        let curve = self.curve.map(|curve| UnloadingCurve {
-            length: curve.length * length,
-            force: curve.force * force,
-            residual: curve.residual * length,
-            ..curve
-        });
+        let curve = self.curve.map(|curve| curve.in_units(length, force));
         Self { peak, exponent: self.exponent, curve }
     }
 

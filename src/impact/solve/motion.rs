@@ -23,7 +23,7 @@
 
 use super::outcome::{ImpactEnd, ScaledResult};
 use super::recorder::{Event, TraceRecorder};
-use crate::contact::law::Surface;
+use crate::contact::law::{Surface, Unloading};
 use crate::impact::problem::forces::{ScaledForces, StaticEquilibrium};
 use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy, speed_at_energy};
 use crate::numerics::ode::{
@@ -40,110 +40,148 @@ pub fn integrate<'a, I: Integrator>(
     recorder: &mut TraceRecorder,
 ) -> Result<ScaledResult, IntegrationError> {
     let ground = ground.into();
-    let distance = forces.turning_distance(ground, kinetic_energy(q));
-    let (pull, drag) = (FORCE_FACTOR * forces.weight, forces.damping);
-    let sizes = ErrorScales { distance, speed: (q * q + pull * distance).sqrt() };
-    let mut path = LegProblem {
-        piece: ground.piece(0),
-        factor: FORCE_FACTOR,
-        leg: loading_leg(ground, 0),
-        error_scales: sizes,
-        constant_acceleration: pull,
-        drag,
-        rest: None,
-    };
-    // a sphere may come to rest without turning only under gravity and damping
-    let may_creep = pull > 0.0 && drag != DampingCoefficients::NONE;
-    let static_point = may_creep.then(|| forces.equilibrium_on_loading(ground));
     let touch = MotionState { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
-    let mut at = initial_state(ground, touch, forces);
-    let mut largest = 0.0;
-    let mut go = |path: &LegProblem, at: &mut MotionState, piece: Option<usize>, recorder: &mut TraceRecorder| {
-        let track = recorder.begin_leg(piece, &touch);
-        let LegResult { end: landing, largest_force } = integrator.integrate_leg(path, at, track)?;
-        largest = nan_max(largest, largest_force / FORCE_FACTOR);
-        Ok(landing)
-    };
+    let at = initial_state(ground, touch, forces);
+    let mut motion = Motion { ground, q, forces, integrator, recorder, touch, at, largest_force: 0.0 };
+    let (piece, landing) = motion.load()?;
+    let unloading = ground.unload(piece, motion.at.distance - entry_distance(ground, piece), None);
+    let is_at_rest = landing == LegEnd::Rest;
+    motion.record(if is_at_rest { Event::Captured } else { Event::Peak });
+    let loading_time = motion.at.time;
+    motion.at.distance = unloading.peak.elastic_approach;
+    let end = if is_at_rest { ImpactEnd::Captured } else { motion.unload(&unloading)? };
+    Ok(motion.result(unloading, loading_time, end))
+}
 
-    let mut piece = 0;
-    let is_at_rest = loop {
-        (path.piece, path.leg) = (ground.piece(piece), loading_leg(ground, piece));
-        if piece == 0 && ground.turns_on_branch(kinetic_energy(q), forces.weight) {
-            path.leg = Leg::Loading(f64::INFINITY);
-        }
-        let rest_of = |point: StaticEquilibrium| {
-            let is_here = ground.reloading_path.index_at(point.indentation) == piece;
-            let place = point.indentation - path.piece.start + entry_distance(ground, piece);
-            forces.rest_criterion(&point, place).filter(|_| is_here)
-        };
-        path.rest = static_point.and_then(rest_of);
-        let landing = go(&path, &mut at, Some(piece), recorder)?;
-        if landing != LegEnd::PieceEnd {
-            break landing == LegEnd::Rest;
-        }
-        piece += 1;
-        give_way(&mut at, ground.fall_at_start(piece), drag);
-        if recorder.is_enabled() && !ground.piece(piece).is_subdivision {
-            let is_yield = ground.piece(piece).start == ground.elastic_until();
-            recorder.record_event(if is_yield { Event::Yield } else { Event::Knot }, &at);
-        }
-        at.distance = entry_distance(ground, piece);
-    };
+/// An impact during its integration.
+struct Motion<'a, 'r, I> {
+    ground: Surface<'a>,
+    q: f64,
+    forces: &'r ScaledForces,
+    integrator: &'r mut I,
+    recorder: &'r mut TraceRecorder,
+    /// First contact.
+    touch: MotionState,
+    at: MotionState,
+    /// The largest contact force so far.
+    largest_force: f64,
+}
 
-    let unloading = ground.unload(piece, at.distance - entry_distance(ground, piece), None);
-    recorder.record_event(if is_at_rest { Event::Captured } else { Event::Peak }, &at);
-    let loading_time = at.time;
-    let branch = unloading.to_piece();
-    at.distance = unloading.peak.elastic_approach;
-    let mut fate = ImpactEnd::Captured;
-    if !is_at_rest {
-        at.speed = 0.0;
-        path.error_scales =
-            ErrorScales { distance: at.distance, speed: speed_at_energy(unloading.recoverable_energy()) };
-        path.piece = &branch;
+impl<I: Integrator> Motion<'_, '_, I> {
+    /// Integrates a leg, on a piece of the loading curve or on the unloading branch.
+    fn run_leg(&mut self, problem: &LegProblem, piece: Option<usize>) -> Result<LegEnd, IntegrationError> {
+        let track = self.recorder.begin_leg(piece, &self.touch);
+        let LegResult { end, largest_force } = self.integrator.integrate_leg(problem, &mut self.at, track)?;
+        self.largest_force = nan_max(self.largest_force, largest_force / FORCE_FACTOR);
+        Ok(end)
+    }
+
+    fn record(&mut self, event: Event) {
+        self.recorder.record_event(event, &self.at);
+    }
+
+    /// True if the sphere may come to rest without turning, which takes gravity and damping.
+    fn may_creep(&self) -> bool {
+        self.forces.weight > 0.0 && !self.forces.is_conservative()
+    }
+
+    /// The legs along the pieces of the loading curve. Returns the last piece, and how the leg on it ended.
+    fn load(&mut self) -> Result<(usize, LegEnd), IntegrationError> {
+        let Self { ground, q, forces, .. } = *self;
+        let (pull, drag) = (FORCE_FACTOR * forces.weight, forces.damping);
+        let distance = forces.turning_distance(ground, kinetic_energy(q));
+        let error_scales = ErrorScales { distance, speed: (q * q + pull * distance).sqrt() };
+        let static_point = self.may_creep().then(|| forces.equilibrium_on_loading(ground));
+        let mut index = 0;
+        loop {
+            let piece = ground.piece(index);
+            let turns_here = index == 0 && ground.turns_on_branch(kinetic_energy(q), forces.weight);
+            let leg = if turns_here { Leg::Loading(f64::INFINITY) } else { loading_leg(ground, index) };
+            let rest_of = |point: StaticEquilibrium| {
+                let is_here = ground.reloading_path.index_at(point.indentation) == index;
+                let place = point.indentation - piece.start + entry_distance(ground, index);
+                forces.rest_criterion(&point, place).filter(|_| is_here)
+            };
+            let rest = static_point.and_then(rest_of);
+            let problem =
+                LegProblem { piece, factor: FORCE_FACTOR, leg, error_scales, constant_acceleration: pull, drag, rest };
+            let landing = self.run_leg(&problem, Some(index))?;
+            if landing != LegEnd::PieceEnd {
+                return Ok((index, landing));
+            }
+            index += 1;
+            give_way(&mut self.at, ground.fall_at_start(index), drag);
+            if self.recorder.is_enabled() && !ground.piece(index).is_subdivision {
+                let is_yield = ground.piece(index).start == ground.elastic_until();
+                self.record(if is_yield { Event::Yield } else { Event::Knot });
+            }
+            self.at.distance = entry_distance(ground, index);
+        }
+    }
+
+    /// The legs along the unloading branch: a little further in, if the force dropped on a plate, and back. Returns whether the
+    /// sphere separates.
+    fn unload(&mut self, unloading: &Unloading) -> Result<ImpactEnd, IntegrationError> {
+        let Self { ground, q, forces, .. } = *self;
+        let (branch, drag) = (unloading.to_piece(), forces.damping);
+        self.at.speed = 0.0;
         // a sphere that arrived without speed does not separate
-        let is_captured = q == 0.0 || forces.is_conservative() && forces.is_captured(&unloading, q);
+        let is_captured = q == 0.0 || forces.is_conservative() && forces.is_captured(unloading, q);
         let stops = is_captured && forces.is_conservative();
         let end = if stops { unloading.elastic_approach_at_force(forces.weight) } else { 0.0 };
-        let static_point = may_creep.then(|| forces.equilibrium_on_unloading(ground, &unloading));
-        path.rest = static_point.and_then(|point| forces.rest_criterion(&point, point.distance));
-        let step = ground.force_drop_at_peak(&unloading);
-        give_way(&mut at, step, drag);
-        let relaxed = at;
+        let static_point = self.may_creep().then(|| forces.equilibrium_on_unloading(ground, unloading));
+        let mut problem = LegProblem {
+            piece: &branch,
+            factor: FORCE_FACTOR,
+            leg: Leg::Loading(f64::INFINITY),
+            error_scales: ErrorScales {
+                distance: self.at.distance,
+                speed: speed_at_energy(unloading.recoverable_energy()),
+            },
+            constant_acceleration: FORCE_FACTOR * forces.weight,
+            drag,
+            rest: static_point.and_then(|point| forces.rest_criterion(&point, point.distance)),
+        };
+        let drop = ground.force_drop_at_peak(unloading);
+        give_way(&mut self.at, drop, drag);
+        let relaxed = self.at;
         let mut landing = LegEnd::Turning;
-        if at.speed > 0.0 {
-            path.leg = Leg::Loading(f64::INFINITY);
-            landing = go(&path, &mut at, None, recorder)?;
-            if step > 0.0 {
-                recorder.record_event(Event::Relaxation, &relaxed);
+        if relaxed.speed > 0.0 {
+            landing = self.run_leg(&problem, None)?;
+            if drop > 0.0 {
+                self.recorder.record_event(Event::Relaxation, &relaxed);
             }
-            at.speed = 0.0;
+            self.at.speed = 0.0;
         }
-        path.leg = Leg::Unloading(end);
+        problem.leg = Leg::Unloading(end);
         if landing == LegEnd::Turning {
-            landing = go(&path, &mut at, None, recorder)?;
+            landing = self.run_leg(&problem, None)?;
         }
-        if step > 0.0 && relaxed.speed == 0.0 {
-            recorder.record_event(Event::Relaxation, &relaxed);
+        if drop > 0.0 && relaxed.speed == 0.0 {
+            self.recorder.record_event(Event::Relaxation, &relaxed);
         }
-        if matches!(landing, LegEnd::PieceEnd | LegEnd::LiftOff) && !is_captured {
-            fate = ImpactEnd::Separated;
-        }
-        recorder.record_event(if fate == ImpactEnd::Separated { Event::Separation } else { Event::Captured }, &at);
+        let separates = matches!(landing, LegEnd::PieceEnd | LegEnd::LiftOff) && !is_captured;
+        self.record(if separates { Event::Separation } else { Event::Captured });
+        Ok(if separates { ImpactEnd::Separated } else { ImpactEnd::Captured })
     }
-    // an excess above 1 is the error of the run
-    let limit = if forces.is_lossless(ground, &unloading) { 1.0 } else { f64::INFINITY };
-    Ok(ScaledResult {
-        restitution: if fate == ImpactEnd::Captured { 0.0 } else { (-at.speed / q).min(limit) },
-        loading_time,
-        contact_time: at.time,
-        end: fate,
-        largest_force: ground.reported_force(&unloading, drag.acts_in_contact().then_some(largest)),
-        end_indentation: at.distance + ground.deepest_state(&unloading.peak).residual(),
-        end_speed: at.speed,
-        loss: at.loss / FORCE_FACTOR,
-        unloading,
-    })
+
+    fn result(&self, unloading: Unloading, loading_time: f64, end: ImpactEnd) -> ScaledResult {
+        let Self { ground, q, forces, at, largest_force, .. } = *self;
+        // an excess above 1 is the error of the run
+        let limit = if forces.is_lossless(ground, &unloading) { 1.0 } else { f64::INFINITY };
+        let largest = forces.damping.acts_in_contact().then_some(largest_force);
+        ScaledResult {
+            restitution: if end == ImpactEnd::Captured { 0.0 } else { (-at.speed / q).min(limit) },
+            loading_time,
+            contact_time: at.time,
+            end,
+            largest_force: ground.reported_force(&unloading, largest),
+            end_indentation: at.distance + ground.deepest_state(&unloading.peak).residual(),
+            end_speed: at.speed,
+            loss: at.loss / FORCE_FACTOR,
+            unloading,
+        }
+    }
 }
 
 /// The first state: first contact. A sphere without speed starts a very small distance further in, where the force of the law is

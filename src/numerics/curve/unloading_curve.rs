@@ -24,12 +24,35 @@ pub struct UnloadingCurve {
     /// ε.
     pub length: f64,
     /// f_m.
-    pub force: f64,
+    force: f64,
     /// x_r, the indentation at the zero of the force.
-    pub residual: f64,
+    residual: f64,
+    /// 4 f_m/π of uniform pressure, k of f = k ((d + x_r)^1.5 − x_r^1.5).
+    scale: f64,
+}
+
+/// (d + l)^1.5 − l^1.5 from a = √(d + l) and b = √l. Only a − b = d/(a + b) cancels, which is not formed.
+fn difference_of_cubes(d: f64, a: f64, b: f64) -> f64 {
+    d / (a + b) * (a * a + a * b + b * b)
 }
 
 impl UnloadingCurve {
+    /// A branch of this kind that rises to `force` over `length`, from the indentation `residual`.
+    pub fn new(kind: UnloadingCurveKind, length: f64, force: f64, residual: f64) -> Self {
+        let scale = match kind {
+            UnloadingCurveKind::UniformPressure => 4.0 / PI * force,
+            UnloadingCurveKind::ShiftedHertz => {
+                force / difference_of_cubes(length, (length + residual).sqrt(), residual.sqrt())
+            }
+        };
+        Self { kind, length, force, residual, scale }
+    }
+
+    /// The branch in other units: lengths times `length`, forces times `force`.
+    pub(crate) fn in_units(&self, length: f64, force: f64) -> Self {
+        Self::new(self.kind, self.length * length, self.force * force, self.residual * length)
+    }
+
     /// f, f', f'' and the work from zero; continued as an odd function, as a power from zero is.
     pub fn derivatives_and_work(&self, d: f64) -> ([f64; 3], f64) {
         match self.kind {
@@ -39,7 +62,7 @@ impl UnloadingCurve {
             }
             UnloadingCurveKind::UniformPressure if d == 0.0 => ([0.0; 3], 0.0),
             UnloadingCurveKind::UniformPressure => {
-                let (s, unit) = (d / self.length, 4.0 / PI * self.force);
+                let (s, unit) = (d / self.length, self.scale);
                 let (sine, cosine) = ((s * (2.0 - s)).sqrt(), 1.0 - s);
                 let (f, work) = if s < 0.25 {
                     // ∫ of f' = unit √(2 s) √(1 − s/2), and again
@@ -59,17 +82,10 @@ impl UnloadingCurve {
                 ([unit * f, per * sine, per / self.length * cosine / sine], unit * self.length * work)
             }
             UnloadingCurveKind::ShiftedHertz => {
-                // a³ − b³ with a = √x and b = √x_r; only a − b = d/(a + b) cancels, which is not formed
-                let b = self.residual.sqrt();
-                let roots = |d: f64| {
-                    let a = (d + self.residual).sqrt();
-                    (a, d / (a + b))
-                };
-                let cubes = |(a, above): (f64, f64)| above * (a * a + a * b + b * b);
-                let k = self.force / cubes(roots(self.length));
-                let (a, above) = roots(d);
+                let (k, a, b) = (self.scale, (d + self.residual).sqrt(), self.residual.sqrt());
+                let above = d / (a + b);
                 let work = above * above * (a * a * (0.4 * a + 0.8 * b) + b * b * (1.2 * a + 0.6 * b));
-                ([k * cubes((a, above)), 1.5 * k * a, 0.75 * k / a], k * work)
+                ([k * difference_of_cubes(d, a, b), 1.5 * k * a, 0.75 * k / a], k * work)
             }
         }
     }
