@@ -160,9 +160,9 @@
 //! use plm_impact::impact::series::{ImpactSeries, SeriesMode, SpotMode};
 //!
 //! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
-//! let series = ImpactSeries { spot_mode: SpotMode::Same, mode: SeriesMode::Shots(vec![1.0, 1.0, 2.0]) };
+//! let series = ImpactSeries { spot_mode: SpotMode::Same, mode: SeriesMode::Shots(vec![1.0, 0.5, 2.0]) };
 //! let shots = series.run(&contact, &Solver::AUTO, 10, None)?;
-//! // the second shot stays on the old unloading curve
+//! // the second shot has less energy than the first recovered, and stays on the old unloading curve
 //! assert!(shots.impacts[1].restitution > 0.999 && shots.impacts[2].restitution < 0.9);
 //!
 //! let press = StaticContact::try_new(&sphere, &half_space, &Plm::default())?;
