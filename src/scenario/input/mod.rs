@@ -11,7 +11,7 @@ pub(in crate::scenario) mod resolve;
 pub(in crate::scenario) mod strength;
 pub(in crate::scenario) mod unused_keys;
 
-pub use body_material::{Body, BodyMaterial};
+pub(crate) use body_material::{Body, BodyMaterial};
 pub use measured::MeasuredQuantity;
 pub use numeric_key::{
     ALTERNATIVES, N_BODY_KEYS, N_SPHERE_KEYS, NUMERIC_KEYS, NumericKey, REQUIRED_KEYS, alternative_to,
