@@ -8,6 +8,7 @@ pub mod key_docs;
 pub mod keys;
 mod kind;
 pub mod kinds;
+mod no_result;
 #[doc(hidden)]
 pub mod plan;
 pub(crate) mod rules;
@@ -20,7 +21,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
-use crate::impact::Warning;
+use crate::impact::{Contact, ImpactError, Warning};
 use crate::scenario::plan::AxisSetting;
 pub use document::{Document, MAX_DATA_MIB, MAX_SCENARIO_MIB, read_open_file, read_text};
 use input::reader::{Reader, as_table};
@@ -30,6 +31,7 @@ use input::{
 };
 use keys::{ALL_KEYS, key};
 pub use kind::{Kind, TEMPLATES};
+pub use no_result::no_result_error;
 use plan::varied::VariedKeys;
 pub use source::ScenarioSource;
 
@@ -48,6 +50,9 @@ pub struct Scenario {
     /// The path of its file relative to the folder of its results, if there is a file.
     pub from_results: Option<String>,
 }
+
+/// An input that fulfils all rules, and its contact, or why there is none.
+pub type CheckedInput = (Input, Result<Contact, ImpactError>);
 
 const NEEDS_GRAVITY_TEXT: &str =
     "drop_height = 0 requires [gravity]. Add [gravity] with acceleration = \"9.81 m/s^2\", or give a height above 0.";
@@ -174,19 +179,31 @@ impl Scenario {
 
     /// The input of the first impact, with all keys that an impact needs.
     pub fn resolve(&self) -> Result<Input, Error> {
+        self.check_impact().map(|(input, _)| input)
+    }
+
+    /// The input of the first impact, and its contact.
+    pub fn checked(&self) -> Result<(Input, Contact), Error> {
+        let (input, contact) = self.check_impact()?;
+        contact.map_err(|reason| no_result_error(self, &reason)).map(|contact| (input, contact))
+    }
+
+    /// The input of a scenario that needs no impact, and its contact. The speed is NaN if it is not given.
+    pub fn checked_bodies(&self) -> Result<CheckedInput, Error> {
+        self.check_input(REQUIRED_KEYS.len() - 1)
+    }
+
+    fn check_impact(&self) -> Result<CheckedInput, Error> {
         self.check_speeds()?;
-        self.checked_input(if self.shot_speeds().is_some() { REQUIRED_KEYS.len() - 1 } else { REQUIRED_KEYS.len() })
+        self.check_input(if self.shot_speeds().is_some() { REQUIRED_KEYS.len() - 1 } else { REQUIRED_KEYS.len() })
     }
 
-    /// The input of a scenario that needs no impact: its speed is NaN if it is not given.
-    pub fn resolve_bodies(&self) -> Result<Input, Error> {
-        self.checked_input(REQUIRED_KEYS.len() - 1)
-    }
-
-    /// The input of the first case, in which the first `needed` keys of [`REQUIRED_KEYS`] must be given.
-    fn checked_input(&self, needed: usize) -> Result<Input, Error> {
+    /// The input of the first case, in which the first `needed` keys of [`REQUIRED_KEYS`] must be given, and its contact. A table
+    /// may have cases without a contact.
+    fn check_input(&self, needed: usize) -> Result<CheckedInput, Error> {
         self.require(&REQUIRED_KEYS[..needed])?;
         let input = self.first_case();
+        let contact = input.contact();
         let does_not_fall = input.speed() == 0.0 && input.forces().gravity.is_none();
         let fall = if does_not_fall {
             Err(self.refusal_where_varied("impact.drop_height", NEEDS_GRAVITY_TEXT))
@@ -196,13 +213,13 @@ impl Scenario {
         let checked = [
             self.check_flow(&input),
             fall,
-            self.check_target(&input),
-            self.check_plate(&input),
+            self.check_target(&input, &contact),
+            self.check_plate(&contact),
             self.check_air(&input),
             self.check_strength(&input),
             self.check_rates(&input),
         ];
-        Error::combine(checked.into_iter().filter_map(Result::err).collect()).map_or(Ok(input), Err)
+        Error::combine(checked.into_iter().filter_map(Result::err).collect()).map_or(Ok((input, contact)), Err)
     }
 
     /// The input with the first value of every varied key: of its axis or range, of a list of shots, or the median of its distribution.

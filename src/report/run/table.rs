@@ -1,6 +1,6 @@
 //! Summary, pictures and warnings of a table.
 
-use super::outcome::{Outcome, RunOptions, no_result_error, put_notes, warning_texts, with_summary};
+use super::outcome::{Outcome, RunOptions, put_notes, warning_texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::files::{OutputFile, Progress, Provenance};
 use crate::impact::Contact;
@@ -12,9 +12,9 @@ use crate::report::text::notes_text;
 use crate::report::text::overview::overview;
 use crate::report::text::plan::plan_lines;
 use crate::report::text::sweep::{summary_fields, summary_lines};
-use crate::scenario::Scenario;
 use crate::scenario::keys::strength_notes;
 use crate::scenario::plan::Plan;
+use crate::scenario::{Scenario, no_result_error};
 use crate::table::corner_warnings::{CornerWarnings, corner_warnings};
 use crate::table::job::ordered_parallel;
 use crate::table::{Evaluator, Rows, Tally, classify};

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::{Body, BodyMaterial, Input, NumericKey, Value};
 use crate::contact::body::{HalfSpace, Sphere, Support, sphere_volume};
 use crate::contact::law::LawChoice;
+use crate::contact::pair::{Pair, YieldPartition};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
@@ -42,6 +43,12 @@ impl Input {
                 ..HalfSpace::flat(self.material(Body::HalfSpace), strength)
             },
         )
+    }
+
+    /// How the yielding is divided between the bodies, if one of them yields.
+    pub fn yield_partition(&self) -> Option<YieldPartition> {
+        let (sphere, half_space) = self.bodies(&self.law());
+        Some(Pair::try_new(&sphere, &half_space).ok()?.yield_point?.yield_partition)
     }
 
     pub fn sphere(&self) -> Sphere {

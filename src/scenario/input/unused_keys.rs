@@ -75,7 +75,7 @@ pub fn unused_reason(path: &str, inputs: &[Input], purpose: RunKind) -> Option<&
 impl Input {
     /// True if only the other body yields: this one is stronger by at least the factor `least`, and the other body does not harden.
     fn is_harder(&self, body: Body, least: f64) -> bool {
-        let flow = self.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.yield_partition));
+        let flow = self.yield_partition();
         let law = self.law();
         flow.is_some_and(|flow| {
             flow.for_softer(Body::ALL) != body && flow.ratio >= least && flow.for_softer(law.flow_curves()).is_none()

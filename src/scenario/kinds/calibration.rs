@@ -50,7 +50,7 @@ impl Scenario {
         if !self.has_key("calibrate") {
             return Err(self.document.refusal("", NO_TABLE_TEXT));
         }
-        let mut input = self.checked_input(N_BODY_KEYS)?;
+        let (mut input, _) = self.check_input(N_BODY_KEYS)?;
         input.set_default_method(Method::Auto);
         let free = self.free_keys(&input);
         for free in &free {
@@ -131,8 +131,7 @@ impl Scenario {
     fn default_body(&self, input: &Input) -> Body {
         let sphere = Body::Sphere;
         let is_given = [sphere.yield_strength(), sphere.hardness()].iter().any(|path| self.document.contains(path));
-        let is_softer =
-            || input.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.yield_partition.is_sphere));
+        let is_softer = || input.yield_partition().map(|partition| partition.is_sphere);
         let is_named = self.document.contains(Body::HalfSpace.material());
         if is_given && !is_named && is_softer() == Some(true) { sphere } else { Body::HalfSpace }
     }

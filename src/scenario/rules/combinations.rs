@@ -3,7 +3,7 @@
 
 use crate::error::Error;
 use crate::impact::flight::free_flight::FreeFlight;
-use crate::impact::{ImpactError, PlateError};
+use crate::impact::{Contact, ImpactError, PlateError};
 use crate::scenario::Scenario;
 use crate::scenario::input::read_input::is_at_or_below;
 use crate::scenario::input::{ALTERNATIVES, Input, NUMERIC_KEYS};
@@ -189,8 +189,8 @@ impl Scenario {
     }
 
     /// Refuses a plate together with parts of the scene that are not computed on a plate.
-    pub(in crate::scenario) fn check_plate(&self, input: &Input) -> Result<(), Error> {
-        let contact = input.contact().ok().filter(|_| input.forces().plate.is_some());
+    pub(in crate::scenario) fn check_plate(&self, contact: &Result<Contact, ImpactError>) -> Result<(), Error> {
+        let contact = contact.as_ref().ok().filter(|contact| contact.forces().plate.is_some());
         let refuse = |error: PlateError| {
             let needed = (error == PlateError::NoDensity).then_some("half_space.density");
             self.refusal_where_varied("half_space.thickness", error.to_string()).with_missing_key(needed)
@@ -199,13 +199,17 @@ impl Scenario {
     }
 
     /// Refuses a hollow that is too narrow for a point contact, and a free target with missing values.
-    pub(in crate::scenario) fn check_target(&self, input: &Input) -> Result<(), Error> {
+    pub(in crate::scenario) fn check_target(
+        &self,
+        input: &Input,
+        contact: &Result<Contact, ImpactError>,
+    ) -> Result<(), Error> {
         let refuse = |key: &str, message: &str| Err(self.refusal_where_varied(key, message));
         let radius = input.number(key!("half_space.radius"));
         if radius == Some(0.0) {
             return refuse("half_space.radius", "must not be 0. Remove the key for a flat target.");
         }
-        if let Err(error @ ImpactError::Hollow(_)) = input.contact() {
+        if let Err(error @ ImpactError::Hollow(_)) = contact {
             return refuse("half_space.radius", &error.to_string());
         }
         let Some(mass) = input.number(key!("half_space.mass")) else { return Ok(()) };
