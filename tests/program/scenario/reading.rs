@@ -329,8 +329,8 @@ fn all_mistakes_of_file_are_reported() {
         "many.toml:5:18: sphere.poissons_ratio: 0.7 is not allowed",
         "`radius` and `diameter` exclude each other",
         "`speed` and `drop_height` exclude each other",
-        "half_space.edge_distance: is of a plate",
-        "impact.angle: needs friction",
+        "half_space.edge_distance: applies to plates only",
+        "impact.angle: requires [friction]",
         "the key `density` is missing",
     ];
     for mistake in mistakes {
