@@ -12,6 +12,7 @@
 //! processes write the same file, the file of the last rename stays.
 
 mod atomic_file;
+pub(crate) mod parts_folder;
 pub mod progress;
 pub mod provenance;
 mod signature;

@@ -10,11 +10,12 @@ use rayon::prelude::*;
 
 use super::format::csv::CsvEncoder;
 use super::format::{Format, TableEncoder};
-use super::parts::{MAX_JOINED_ROWS, MAX_PARTS_OF_ONE_FILE, PARTS_FOLDER, TableIdentity, remove_parts};
+use super::parts::{MAX_JOINED_ROWS, MAX_PARTS_OF_ONE_FILE, TableIdentity};
 use super::shard::Shard;
 use super::tally::RowOutcome;
-use super::{Evaluator, PartLayout, Rows, Tally, classify, file_error, unwritable_error};
+use super::{Evaluator, PartLayout, Rows, Tally, classify, unwritable_error};
 use crate::error::{Error, ErrorKind};
+use crate::files::parts_folder::{PARTS_FOLDER, file_error};
 use crate::files::{AtomicFile, OutputDirectory, Progress, remove, remove_stale};
 use crate::scenario::ScenarioSource;
 use crate::scenario::plan::Plan;
@@ -145,7 +146,7 @@ impl<F: TableEncoder> TableWriter<'_, F> {
             // the table is finished, perhaps by another run, and its parts are removed
             let mut tally = Tally::new(job.plan);
             if self.read_part(&table, 0..layout.rows, &mut |count| tally.push(count))? {
-                remove_parts(job.directory)?;
+                job.directory.remove_parts()?;
                 return Ok(FinishedTable { table, resumed_rows: tally.rows, tally });
             }
         }
@@ -171,7 +172,7 @@ impl<F: TableEncoder> TableWriter<'_, F> {
             whole.append(&mut part).map_err(&unwritable)?;
         }
         whole.sync().and_then(|()| whole.persist()).map_err(&unwritable)?;
-        remove_parts(self.job.directory)
+        self.job.directory.remove_parts()
     }
 
     /// Reads a file that should have these cases. Returns true if the file is complete.

@@ -26,11 +26,6 @@ use std::path::Path;
 
 use crate::error::{Error, ErrorKind};
 
-/// Makes an error from that of the file system, for `map_err`. The parts written so far stay.
-pub(crate) fn file_error(problem: &'static str, path: &Path) -> impl Fn(io::Error) -> Error {
-    Error::from_io(ErrorKind::Failed, path, problem, "")
-}
-
 /// The error of a table that cannot be written.
 pub(crate) fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
     Error::from_io(
@@ -39,9 +34,4 @@ pub(crate) fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
         "cannot be written",
         "free space on the disk, then run the same command again",
     )
-}
-
-/// The error for a file that prevents writing, with the remedy.
-pub(crate) fn blocked_file_error(path: &Path, problem: impl std::fmt::Display) -> Error {
-    Error::for_file(ErrorKind::Input, &path.display().to_string(), problem)
 }
