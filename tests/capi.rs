@@ -229,7 +229,7 @@ fn c_program_prints_bits_of_library() {
     let bits = [("validated_indentation", contact.validated_indentation()), ("waves", waves)]
         .map(|(name, number)| format!("{name} {:016x}", number.to_bits()));
     // a strength that rises with the rate, at the speed of the scenario
-    let rated = ["half_space.rate.johnson_cook.c=0.03".to_owned()];
+    let rated = ["half_space.rate.johnson_cook.c=0.03".into()];
     let rated = Scenario::load(&scenario, &rated).unwrap().resolve().unwrap().contact().unwrap();
     let impact = rated.closed_form(3.0).unwrap();
     assert!(impact.strain_rate_result.unwrap().factor > 1.1);

@@ -82,6 +82,8 @@ pub enum ResultOrigin<'a> {
         overrides_sha256: Option<&'a str>,
         /// The files that the scenario names.
         reads: &'a [&'a Path],
+        /// True for a table, which goes on from its parts in the directory.
+        is_table: bool,
     },
     /// A command that needs no scenario.
     Command(&'static str),
@@ -119,7 +121,7 @@ impl OutputDirectory {
     ///
     /// # Errors
     /// [`Error`] if it cannot be made, is a file, or takes no files; if it holds results of another scenario or with other
-    /// overrides, or a summary of another program.
+    /// overrides, a summary of another program, or parts of a table.
     pub fn prepare(path: &Path, origin: ResultOrigin, is_forced: bool) -> Result<Self, Error> {
         let refuse = unwritable_error(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
@@ -143,6 +145,9 @@ impl OutputDirectory {
         directory.created.iter().try_for_each(|made| sync_folder(parent_folder(made))).map_err(&refuse)?;
         drop(AtomicFile::create(&path.join("trial")).map_err(&refuse)?);
         directory.earlier_results = directory.read_earlier_results(origin)?;
+        if matches!(origin, ResultOrigin::File { is_table: false, .. }) {
+            directory.clear_parts()?;
+        }
         Ok(directory)
     }
 

@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 use crate::impact::{Contact, ImpactError, Warning};
 use crate::scenario::plan::AxisSetting;
-pub use document::{Document, MAX_DATA_MIB, MAX_SCENARIO_MIB, read_open_file, read_text};
+pub use document::{Document, MAX_DATA_MIB, MAX_SCENARIO_MIB, Override, read_open_file, read_text};
 use input::reader::{Reader, as_table};
 use input::{
     ALTERNATIVES, Body, BodyMaterial, Input, N_BODY_KEYS, N_SPHERE_KEYS, REQUIRED_KEYS, RunKind, alternative_to,
@@ -62,14 +62,14 @@ const DATA_KEY: &str = "calibrate.data";
 
 impl Scenario {
     /// Reads a scenario file, with `key=value` overrides.
-    pub fn load(path: &Path, overrides: &[String]) -> Result<Self, Error> {
+    pub fn load(path: &Path, overrides: &[Override]) -> Result<Self, Error> {
         let text = document::read_text(path, MAX_SCENARIO_MIB)?;
         let directory = path.parent().unwrap_or(Path::new("")).to_owned();
         Self::new(path.display().to_string(), text, overrides, directory, BTreeMap::new())
     }
 
     /// Parses a scenario from a text; `name` stands for the file in messages.
-    pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, Error> {
+    pub fn from_text(name: &str, text: &str, overrides: &[Override]) -> Result<Self, Error> {
         Self::new(name.to_owned(), text.to_owned(), overrides, PathBuf::new(), BTreeMap::new())
     }
 
@@ -77,7 +77,7 @@ impl Scenario {
     fn new(
         name: String,
         text: String,
-        overrides: &[String],
+        overrides: &[Override],
         directory: PathBuf,
         mut texts: BTreeMap<String, String>,
     ) -> Result<Self, Error> {

@@ -71,7 +71,8 @@ fn compare(set: &[String], keys: [&'static NumericKey; 2], values: [[f64; 2]; 2]
             |i: usize| format!("\"{}\"=[{}]", keys[i].path, values[i].map(|value| in_file(keys[i], value)).join(","));
         let sweep = format!("sweep={{{}}}", order.map(axis).join(","));
         let all = [set, &[sweep]].concat();
-        let Ok(plan) = Scenario::from_text("s.toml", STEEL, &all).and_then(|scenario| scenario.plan()) else {
+        let Ok(plan) = Scenario::from_text("s.toml", STEEL, &Override::list(&all)).and_then(|scenario| scenario.plan())
+        else {
             return false;
         };
         let evaluator = Evaluator::new(&plan);
@@ -114,7 +115,10 @@ fn row_of_any_two_keys_matches_run() {
             NUMERIC_KEYS.iter().filter_map(|key| Some((key, given(&key)?))).collect();
         for (i, (one, first)) in given.iter().enumerate() {
             let alone = [set.clone(), vec![format!("sweep={{\"{}\"=[{}]}}", one.path, in_file(one, *first))]].concat();
-            if Scenario::from_text("s.toml", STEEL, &alone).and_then(|scenario| scenario.plan()).is_err() {
+            if Scenario::from_text("s.toml", STEEL, &Override::list(&alone))
+                .and_then(|scenario| scenario.plan())
+                .is_err()
+            {
                 idle.insert(one.path);
             }
             for (other, second) in &given[i + 1..] {

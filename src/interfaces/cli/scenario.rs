@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::scenario::{MAX_SCENARIO_MIB, Scenario, read_open_file};
+use plm_impact::scenario::{MAX_SCENARIO_MIB, Override, Scenario, read_open_file};
 
 use super::terminal::failed_with;
 
@@ -24,16 +24,6 @@ pub fn write_new_scenario(path: &Path, text: &str, option: &str) -> Result<(), E
     written.map_err(failed_with(format!("{name}: cannot be written")))?;
     super::terminal::note(format_args!("wrote {name}. Next: `plm-impact run {name}`"));
     Ok(())
-}
-
-/// The error with the options that give keys of the scenario, in place of the `--set` that the program made of them.
-pub fn error_at_options(error: Error, options: &[(&str, &str)]) -> Error {
-    error.with_texts(|_, text| {
-        let rest = text.strip_prefix("--set ")?;
-        let (option, rest) =
-            options.iter().find_map(|(key, option)| Some((option, rest.strip_prefix(key)?.strip_prefix('=')?)))?;
-        Some(format!("{option} {rest}"))
-    })
 }
 
 /// A scenario and what the command line changes in it.
@@ -66,9 +56,9 @@ impl ScenarioArguments {
         self.load_with(&[])
     }
 
-    /// Loads the scenario with more overrides than those of the command line.
-    pub fn load_with(&self, more: &[String]) -> Result<Scenario, Error> {
-        let overrides = [&self.overrides, more].concat();
+    /// Loads the scenario with more overrides than those of --set.
+    pub fn load_with(&self, more: &[Override]) -> Result<Scenario, Error> {
+        let overrides = [&Override::list(&self.overrides), more].concat();
         if self.is_standard_input() {
             let text = read_open_file(self.name(), stdin().lock(), MAX_SCENARIO_MIB)?;
             return Scenario::from_text("stdin", &text, &overrides);

@@ -108,7 +108,7 @@ fn key_overrides_value_of_material() {
         (number_of_key(&hammer, "sphere.mass"), hammer.sphere().material.youngs_modulus),
         (Some(5.5e-3), f64::INFINITY)
     );
-    let set = ["half_space.material=aluminium-7075-t6".to_owned(), "sphere.density=7000".to_owned()];
+    let set = ["half_space.material=aluminium-7075-t6".into(), "sphere.density=7000".into()];
     let set = Scenario::from_text("s.toml", &steel(), &set).unwrap().resolve().unwrap();
     assert_eq!((set.half_space().material.youngs_modulus, set.sphere().density), (71.7e9, 7000.0));
 }

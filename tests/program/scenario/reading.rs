@@ -5,8 +5,7 @@ use plm_impact::scenario::input::{ALTERNATIVES, NUMERIC_KEYS};
 use crate::common::prelude::*;
 
 fn resolve(text: &str, overrides: &[&str]) -> Result<Input, Error> {
-    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-    Scenario::from_text("steel.toml", text, &overrides)?.resolve()
+    Scenario::from_text("steel.toml", text, &Override::list(overrides))?.resolve()
 }
 
 fn plm(input: &Input) -> Plm {
@@ -220,7 +219,7 @@ fn whole_numbers_of_any_base_are_read() {
     }
     // a text that the command line changes is TOML, which has 64 bits
     let large = STEEL.replace("\"3 m/s\"", "100000000000000000000");
-    let refused = Scenario::from_text("s.toml", &large, &["sphere.spin=0".to_owned()]).unwrap_err().to_string();
+    let refused = Scenario::from_text("s.toml", &large, &["sphere.spin=0".into()]).unwrap_err().to_string();
     assert!(refused.starts_with("s.toml:13:9: ") && refused.contains("100000000000000000000"), "{refused}");
 }
 
@@ -253,7 +252,7 @@ fn named_file_is_read_once() {
 fn all_errors_are_reported_with_location() {
     let text =
         STEEL.replace("\"5 mm\"", "\"5 kg\"").replace("speed =", "sped =").replace("[half_space]", "[halfspace]");
-    let message = Scenario::from_text("steel.toml", &text, &["solver.tolerance=7".to_owned()]).unwrap_err().to_string();
+    let message = Scenario::from_text("steel.toml", &text, &["solver.tolerance=7".into()]).unwrap_err().to_string();
     let places = [
         "steel.toml:2:10: sphere.radius: \"5 kg\" is a mass, but a length is needed",
         "steel.toml:7:2: halfspace: unknown table `halfspace`, did you mean `half_space`?",
@@ -282,8 +281,7 @@ fn the_hash_is_of_text_overrides_and_coefficients() {
     let hash = |text: &str, overrides: &[&str], table: &str| {
         std::fs::write(&file, text).unwrap();
         std::fs::write(&coefficients, table).unwrap();
-        let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-        Scenario::load(&file, &overrides).unwrap().sha256()
+        Scenario::load(&file, &Override::list(overrides)).unwrap().sha256()
     };
     let plain = hash(STEEL, &[], built_in);
     assert_eq!(plain.len(), 64);
