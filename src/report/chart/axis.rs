@@ -161,14 +161,6 @@ impl FittedAxis {
         self.fraction(value / self.factor)
     }
 
-    /// A value in the unit of the axis, with three significant digits.
-    pub(in crate::report) fn three_digits(&self, value: f64) -> String {
-        let shown = value / self.factor;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0 to 17
-        let decimals = (2.0 - log10(shown.abs()).floor()).clamp(0.0, 17.0) as usize;
-        format!("{shown:.decimals$}").replace('-', "−")
-    }
-
     /// The value at a place along the axis: the inverse of [`FittedAxis::position`].
     pub(in crate::report) fn value_at(&self, share: f64) -> f64 {
         let (low, high) = (self.scale.transform(self.low), self.scale.transform(self.high));

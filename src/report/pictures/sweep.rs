@@ -5,9 +5,9 @@ use crate::report::chart;
 
 use super::{caption, key_axis, law_title, path_title, path_words, with_captions};
 use crate::contact::law::YieldingPair;
-use crate::impact::{ImpactRow, Rebound};
+use crate::impact::ImpactRow;
 use crate::reference::quasi_static;
-use crate::report::chart::{Chart, Panel, Series, SeriesKind, heatmap, histogram};
+use crate::report::chart::{Chart, Series, SeriesKind, heatmap, histogram};
 use crate::report::chart::{Style, min_max};
 use crate::results::{ResultColumn, dimension_of, result_columns};
 use crate::scenario::plan::{AxisSetting, AxisWord, Cases, Plan, RESTITUTION, SweepAxis};
@@ -51,9 +51,6 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
         return drawn.collect();
     };
     let is_drawable = |axis: &SweepAxis| matches!(axis.setting, AxisSetting::Number { .. }) && axis.len() > 1;
-    if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && plan.pictures.is_none() {
-        return vec![("rebound".to_owned(), rebound_chart(plan, axes))];
-    }
     // the axis along which curves run: the first, unless only the second has numbers
     let along = (0..axes.len().min(2)).find(|at| is_drawable(&axes[*at]));
     let has_map = axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= MIN_MAP_AXIS);
@@ -83,32 +80,6 @@ fn compute_row(evaluator: &Evaluator, axes: &[SweepAxis], places: &[u64]) -> Opt
     let mut rows = Rows::default();
     evaluator.append_rows(case..case + 1, &mut rows);
     rows.results.pop()
-}
-
-/// Rebound angle and spin against the angle of impact, curves by the second axis.
-fn rebound_chart(plan: &Plan, axes: &[SweepAxis]) -> Chart {
-    let evaluator = Evaluator::new(plan);
-    let at = spaced_indices(&axes[0], MAX_POINTS);
-    let curves = axes.get(1).map_or_else(|| vec![0], |second| curve_places(second, MAX_CURVES));
-    let names = axes.get(1).map_or_else(|| vec![String::new()], |second| labels(second, &curves));
-    let (mut angles, mut spins) = (Vec::new(), Vec::new());
-    for (number, curve) in curves.iter().enumerate() {
-        let rows = at
-            .iter()
-            .filter_map(|place| Some((*place, compute_row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
-        let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (axis_position(&axes[0], place), after)).collect();
-        let points = |value: fn(&Rebound) -> f64| after.iter().map(|(angle, after)| (*angle, value(after))).collect();
-        angles.push(marked_curve(names[number].clone(), points(|after| after.angle.to_degrees())).with_style(number));
-        spins.push(marked_curve("", points(|after| after.spin)).with_style(number));
-    }
-    let panels = [
-        Panel::new(chart::Axis::linear("Rebound angle", "°"), angles),
-        Panel::new(chart::Axis::linear("Spin afterwards", "rad/s"), spins),
-    ];
-    let by = axes.get(1).map_or_else(String::new, |second| format!(" by {}", axis_words(second)));
-    Chart::with_panels(format!("Oblique rebound{by}"), plot_axis(&axes[0]), panels.into())
-        .with_notes(axes.get(1).and_then(|second| note_of_others(second, curves.len())))
-        .with_notes(fixed_axis_notes(axes))
 }
 
 /// The name of an axis in words, such as "half-space yield strength".
@@ -262,7 +233,7 @@ impl ResultChart<'_> {
             .with_notes(fixed_axis_notes(axes))
     }
 
-    /// A column for each word of the first axis, such as a law or a material, with its value over it and in the key. A word without
+    /// A column for each word of the first axis, such as a law or a material, with its value in the key. A word without
     /// a value has an empty place.
     fn column_chart(&self) -> Chart {
         let (name, y) = self.axis();
