@@ -9,6 +9,7 @@ pub mod keys;
 mod kind;
 pub mod kinds;
 mod no_result;
+mod origin;
 #[doc(hidden)]
 pub mod plan;
 pub(crate) mod rules;
@@ -26,13 +27,14 @@ use crate::scenario::plan::AxisSetting;
 pub use document::{Document, MAX_DATA_MIB, MAX_SCENARIO_MIB, Override, read_open_file, read_text};
 use input::reader::{Reader, as_table};
 use input::{
-    ALTERNATIVES, Body, BodyMaterial, Input, N_BODY_KEYS, N_SPHERE_KEYS, REQUIRED_KEYS, RunKind, alternative_to,
-    unused_reason, without_axis_table as varied_key,
+    ALTERNATIVES, Body, Input, N_BODY_KEYS, N_SPHERE_KEYS, REQUIRED_KEYS, alternative_to,
+    without_axis_table as varied_key,
 };
 use keys::{ALL_KEYS, key};
 pub use kind::{Kind, TEMPLATES};
 pub use no_result::no_result_error;
 use plan::varied::VariedKeys;
+pub use rules::effect::Facts;
 pub use source::ScenarioSource;
 
 /// A parsed and checked scenario.
@@ -125,25 +127,13 @@ impl Scenario {
                 // an impact checks for all needed keys when it is resolved, unless the scenario has to change anyway
                 Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if mistakes.is_empty() => 0,
                 Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => REQUIRED_KEYS.len() - 1,
-                Ok(Kind::Indentation) if !scenario.has_key("half_space") => N_SPHERE_KEYS,
+                Ok(Kind::Indentation) if !scenario.origin("half_space").is_given() => N_SPHERE_KEYS,
                 Ok(Kind::Indentation | Kind::Calibrate) => N_BODY_KEYS,
                 Err(_) => N_SPHERE_KEYS,
             };
             mistakes.extend(scenario.missing_keys(&REQUIRED_KEYS[..needed]));
         }
         Error::combine(mistakes).map_or(Ok(scenario), Err)
-    }
-
-    /// True if the scenario, or a named material, gives a key, or if the scenario has a table.
-    fn has_key(&self, path: &str) -> bool {
-        let is_taken =
-            || self.input.materials().iter().flat_map(BodyMaterial::known_values).any(|(given, _)| given == path);
-        self.document.contains(path) || is_taken()
-    }
-
-    /// True if a key varies over the cases of a table, or is a free key of a calibration.
-    fn is_varied(&self, path: &str) -> bool {
-        self.variation.paths().contains(&path)
     }
 
     /// Refuses a scenario that lacks one of these keys.
@@ -158,11 +148,15 @@ impl Scenario {
             ALTERNATIVES.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
         };
         let (mut missing, mut tables) = (Vec::new(), Vec::new());
-        for group in keys.iter().map(group).filter(|group| !group.iter().any(|path| self.is_given_or_varies(path))) {
+        for group in
+            keys.iter().map(group).filter(|group| !group.iter().any(|path| self.origin(path).is_given_or_varies()))
+        {
             let (table, _) = group[0].split_once('.').unwrap_or_default();
             // a body needs more keys than the varied one, and so its table
             let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
-            if self.has_key(table) || self.variation.paths().iter().any(|path| table == "impact" && in_table(path)) {
+            if self.origin(table).is_given()
+                || self.variation.paths().iter().any(|path| table == "impact" && in_table(path))
+            {
                 missing.push(self.document.missing_any_key(table, &group, ""));
             } else if !tables.contains(&table) {
                 tables.push(table);
@@ -244,9 +238,9 @@ impl Scenario {
 
     /// Warnings about given keys that have no effect on the results of these inputs. Such keys are allowed, as the file may also be run
     /// in another way. Needed keys get no warning.
-    pub fn unused_key_warnings(&self, inputs: &[Input], purpose: RunKind) -> Vec<Warning> {
-        let needed =
-            if purpose == RunKind::Impact { &REQUIRED_KEYS[..] } else { &REQUIRED_KEYS[..REQUIRED_KEYS.len() - 2] };
+    pub fn unused_key_warnings(&self, inputs: &[Input], kind: Kind) -> Vec<Warning> {
+        let facts = Facts { inputs, kind, varied: &[] };
+        let needed = if kind == Kind::Impact { &REQUIRED_KEYS[..] } else { &REQUIRED_KEYS[..REQUIRED_KEYS.len() - 2] };
         let is_needed =
             |path: &str| [Some(path), alternative_to(path)].into_iter().flatten().any(|key| needed.contains(&key));
         let keys = ALL_KEYS
@@ -254,6 +248,6 @@ impl Scenario {
             .map(|key| key.path)
             .filter(|path| !path.starts_with("law.") && self.document.contains(path));
         let given = keys.chain(self.document.keys_below("law.")).filter(|path| !is_needed(path));
-        given.filter_map(|path| Some(Warning::unused_key(path, unused_reason(path, inputs, purpose)?))).collect()
+        given.filter_map(|path| Some(Warning::unused_key(path, facts.why_unused(path)?))).collect()
     }
 }

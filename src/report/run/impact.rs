@@ -12,9 +12,9 @@ use crate::report::text::overview::overview;
 use crate::report::text::{impact_text, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::to_fields;
-use crate::scenario::input::{Input, RunKind};
+use crate::scenario::input::Input;
 use crate::scenario::keys::{restitution_interval, strength_notes};
-use crate::scenario::{Scenario, no_result_error};
+use crate::scenario::{Kind, Scenario, no_result_error};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
 /// to be one.
@@ -26,7 +26,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     let [speed, _] = input.approach().components();
     let contact = contact.at_speed(speed).map_err(refuse)?;
     let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
-    impact.warnings.extend(scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact));
+    impact.warnings.extend(scenario.unused_key_warnings(std::slice::from_ref(&input), Kind::Impact));
     impact.warnings.extend(input.flight_warnings());
     Ok((input, contact, impact))
 }

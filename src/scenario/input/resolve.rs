@@ -51,6 +51,16 @@ impl Input {
         Some(Pair::try_new(&sphere, &half_space).ok()?.yield_point?.yield_partition)
     }
 
+    /// True if only the other body yields: this one is stronger by at least the factor `least`, and the other body does not harden.
+    pub fn is_harder(&self, body: Body, least: f64) -> bool {
+        let law = self.law();
+        self.yield_partition().is_some_and(|partition| {
+            partition.for_softer(Body::ALL) != body
+                && partition.ratio >= least
+                && partition.for_softer(law.flow_curves()).is_none()
+        })
+    }
+
     pub fn sphere(&self) -> Sphere {
         self.bodies(&self.law()).0
     }

@@ -5,9 +5,9 @@ use crate::contact::law::LawChoice;
 use crate::error::Error;
 use crate::impact::Warning;
 use crate::impact::indentation::{SetPoint, Specimen};
-use crate::scenario::Scenario;
-use crate::scenario::input::{Input, RunKind};
+use crate::scenario::input::Input;
 use crate::scenario::keys::{key, key_spec};
+use crate::scenario::{Kind, Scenario};
 
 /// Maximum number of rows of a trace, which is held in memory: some hundred megabytes.
 const MAX_TRACE_ROWS: usize = 1_000_000;
@@ -43,7 +43,7 @@ impl Scenario {
         self.check_strength(&self.input)?;
         let inputs: Vec<Input> =
             specimens.iter().map(|specimen| self.input_for_specimen(&specimen.half_space)).collect();
-        let warnings = self.unused_key_warnings(&inputs, RunKind::Indentation);
+        let warnings = self.unused_key_warnings(&inputs, Kind::Indentation);
         Ok(IndentationRequest { sphere: self.input.sphere(), specimens, law: self.input.law(), targets, warnings })
     }
 
@@ -83,7 +83,7 @@ impl Scenario {
 
     fn specimens(&self) -> Result<Vec<Specimen>, Error> {
         let refuse = |message: String| Err(self.document.refusal(SPECIMENS_KEY, message));
-        if self.has_key("half_space") {
+        if self.origin("half_space").is_given() {
             self.check_flow(&self.input)?;
             return Ok(vec![Specimen { name: None, half_space: self.input.half_space() }]);
         }

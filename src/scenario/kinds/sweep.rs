@@ -3,7 +3,6 @@
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
 use crate::results::{ResultColumn, result_columns};
-use crate::scenario::input::RunKind;
 use crate::scenario::keys::{KeyId, OTHER, key};
 use crate::scenario::plan::read_axes::{METHOD_KEY, RandomKeys};
 use crate::scenario::plan::{Cases, MAX_CASES, Plan, RESTITUTION};
@@ -30,7 +29,7 @@ impl Scenario {
             Cases::Grid(axes)
         };
         let mut plan = Plan::new(&input, cases);
-        plan.warnings = self.unused_key_warnings(&plan.inputs_of_word_axes(), RunKind::Impact);
+        plan.warnings = self.unused_key_warnings(&plan.inputs_of_word_axes(), Kind::Impact);
         self.select_columns(&mut plan)?;
         plan.pictures = self.selected_results("output.picture", key!("output.picture"), &plan)?;
         if let (Some(columns), Some(pictures)) = (&mut plan.columns, &plan.pictures)
@@ -77,8 +76,7 @@ impl Scenario {
         let mut chosen = Vec::new();
         for ResultColumn { name, needs, .. } in result_columns() {
             let count = names.iter().filter(|given| *given == name).count();
-            let missing = plan.column_refusal(needs).filter(|_| count > 0);
-            if let Some(reason) = missing {
+            if let (true, Some(reason)) = (count > 0, plan.column_refusal(needs)) {
                 return Err(self.document.refusal(key, format!("\"{name}\" is not available: {reason}.")));
             }
             if count > 1 {
