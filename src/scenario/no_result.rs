@@ -35,11 +35,11 @@ pub fn no_result_error(scenario: &Scenario, reason: &ImpactError) -> Error {
     match reason {
         ImpactError::Integration(IntegrationError::StepUnderflow { .. } | IntegrationError::NotFinite { .. }) => {
             let is_of_motion = |key: &&NumericKey| {
-                matches!(key.part, Part::Motion | Part::Forces | Part::Approach | Part::Solver)
-                    || ["sphere.radius", "sphere.diameter"].contains(&key.path)
+                matches!(key.part(), Part::Motion | Part::Forces | Part::Approach | Part::Solver)
+                    || ["sphere.radius", "sphere.diameter"].contains(&key.path())
             };
             let given =
-                NUMERIC_KEYS.iter().filter(is_of_motion).map(|key| key.path).filter(|path| document.contains(path));
+                NUMERIC_KEYS.iter().filter(is_of_motion).map(|key| key.path()).filter(|path| document.contains(path));
             let given: Vec<&str> = given.collect();
             let text = format!("{reason} Probably one of these values has a wrong unit: {}.", given.join(", "));
             Error::for_file(ErrorKind::Input, document.name(), text)

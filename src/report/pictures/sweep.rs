@@ -89,7 +89,7 @@ fn axis_words(axis: &SweepAxis) -> String {
 
 fn plot_axis(axis: &SweepAxis) -> chart::Axis {
     match &axis.setting {
-        AxisSetting::Number { key, .. } => key_axis(key, axis.is_logarithmic),
+        AxisSetting::Number { key, .. } => key_axis(*key, axis.is_logarithmic),
         AxisSetting::Words { path, .. } => chart::Axis::linear(&path_title(path), ""),
     }
 }
@@ -99,8 +99,8 @@ fn labels(axis: &SweepAxis, places: &[u64]) -> Vec<String> {
     let texts = |text: &dyn Fn(u64) -> String| places.iter().map(|place| text(*place)).collect();
     match &axis.setting {
         AxisSetting::Number { key, .. } => {
-            let dimension = key.quantity.dimension;
-            match key.quantity.picture_unit().0 {
+            let dimension = key.quantity().dimension;
+            match key.quantity().picture_unit().0 {
                 "°" => texts(&|place| format!("{}°", format_four_digits(axis_position(axis, place)))),
                 unit if unit != dimension.si_unit() => {
                     texts(&|place| format!("{} {unit}", format_four_digits(axis_position(axis, place))))
@@ -125,7 +125,7 @@ fn value_label(axis: &SweepAxis, place: u64) -> String {
 /// The value at a place of an axis, in the unit of the picture.
 fn axis_position(axis: &SweepAxis, place: u64) -> f64 {
     match &axis.setting {
-        AxisSetting::Number { key, .. } => key.quantity.picture_unit().1(axis.value_at(place)),
+        AxisSetting::Number { key, .. } => key.quantity().picture_unit().1(axis.value_at(place)),
         AxisSetting::Words { .. } => axis.value_at(place),
     }
 }

@@ -28,8 +28,8 @@ fn interval_json(ends: IntervalEnds) -> Value {
 /// `yield_strength x youngs_modulus^-0.8`.
 fn combination_text(calibration: &Calibration, exponents: &[f64]) -> String {
     let factors = calibration.keys.iter().zip(exponents).map(|(key, exponent)| match *exponent {
-        1.0 => key.free.key.path.to_owned(),
-        exponent => format!("{}^{exponent:.2}", key.free.key.path),
+        1.0 => key.free.key.path().to_owned(),
+        exponent => format!("{}^{exponent:.2}", key.free.key.path()),
     });
     factors.collect::<Vec<_>>().join(" x ")
 }
@@ -140,7 +140,7 @@ impl KeyResult<'_> {
 pub fn key_results<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
     result_specs! { |one: KeyResult<'a>|
         /// Path of the key.
-        "key": one.estimate().free.key.path;
+        "key": one.estimate().free.key.path();
         /// Its name as a column, with the unit of the values.
         "column": one.estimate().free.key.column_name();
         /// Range that was searched.
@@ -187,10 +187,10 @@ pub fn summary_fields(measured: &CalibrationTask, calibration: &Calibration) -> 
 /// The inputs that neither the data give nor the calibration finds.
 pub fn inputs(measured: &CalibrationTask, calibration: &Calibration) -> Inputs {
     let varies = |key: &str| {
-        calibration.keys.iter().any(|found| found.free.key.path == key)
-            || measured.data.keys.iter().any(|column| column.path == key)
+        calibration.keys.iter().any(|found| found.free.key.path() == key)
+            || measured.data.keys.iter().any(|column| column.path() == key)
             || key == "output.samples"
-            || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
+            || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path().starts_with("impact."))
     };
     let input = &calibration.fit.problem.input;
     let mut inputs = Inputs::new(input);
@@ -255,7 +255,7 @@ fn law_rows(calibration: &Calibration) -> Vec<Vec<String>> {
         }
         Err(reason) => vec![law.clone(), reason.to_string()],
     };
-    let names = calibration.keys.iter().map(|found| found.free.key.path.to_owned());
+    let names = calibration.keys.iter().map(|found| found.free.key.path().to_owned());
     let header = ["law", "AIC", "above the best"].map(str::to_owned).into_iter().chain(names).collect();
     [header].into_iter().chain(calibration.laws.iter().map(row)).collect()
 }
@@ -268,7 +268,7 @@ pub fn terminal_table(calibration: &Calibration) -> String {
         let sd = found
             .sd
             .map_or_else(String::new, |sd| format!("   sd {}", found.free.format_deviation(found.estimate, sd, 2)));
-        row(found.free.key.path, text(found.estimate) + &sd);
+        row(found.free.key.path(), text(found.estimate) + &sd);
         for (name, ends) in ["  68 %", "  95 %"].into_iter().zip(found.intervals.iter().flatten()) {
             row(
                 name,

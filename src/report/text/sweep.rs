@@ -69,13 +69,13 @@ pub fn distributions() -> Vec<ResultSpec<(ResultColumn, RestitutionStatistics)>>
 pub fn random_key_results() -> Vec<ResultSpec<Variable>> {
     result_specs! { |variable: Variable|
         /// Path of the key.
-        "key": variable.key.path;
+        "key": variable.key.path();
         /// Name of its distribution: `uniform`, `normal` or `lognormal`.
         "distribution": variable.distribution.name_and_parameters().0;
         /// Mean and standard deviation before truncation, or the two ends; SI.
         "parameters": variable.distribution.name_and_parameters().1.to_vec();
         /// Range that the values are cut to.
-        "truncated_to": variable.key.quantity.allowed_range();
+        "truncated_to": variable.key.quantity().allowed_range();
         /// Share of the distribution that lies in that range.
         "kept": variable.probability_in_range();
     }

@@ -119,8 +119,8 @@ impl Scenario {
         } else {
             (body.yield_strength(), strengths)
         };
-        let free = |key: &'static NumericKey| {
-            let (from, hardness) = (from.max(key.quantity.range().0), self.hardness_scale(key));
+        let free = |key: NumericKey| {
+            let (from, hardness) = (from.max(key.quantity().range().0), self.hardness_scale(key));
             FreeKey { key, from, to, is_logarithmic: true, hardness }
         };
         NumericKey::find(path).map(free).into_iter().collect()
@@ -137,40 +137,40 @@ impl Scenario {
     }
 
     /// The hardness scale on which the scenario or a material gives a key, or on which the scenario gives an end of its range.
-    fn hardness_scale(&self, key: &NumericKey) -> Option<HardnessScale> {
-        let end = format!("calibrate.free.{}.from", key.path);
-        let given = [key.path, &end].into_iter().find_map(|path| self.document.written_value(path));
+    fn hardness_scale(&self, key: NumericKey) -> Option<HardnessScale> {
+        let end = format!("calibrate.free.{}.from", key.path());
+        let given = [key.path(), &end].into_iter().find_map(|path| self.document.written_value(path));
         let of_material =
-            self.input.materials().iter().flat_map(BodyMaterial::known_values).find(|(path, _)| *path == key.path);
+            self.input.materials().iter().flat_map(BodyMaterial::known_values).find(|(path, _)| *path == key.path());
         let text = given.or(of_material.map(|(_, known)| known.value.text.as_str()))?;
-        key.quantity.is_hardness.then(|| hardness::parse(text)).flatten().map(|(_, scale)| scale)
+        key.quantity().is_hardness.then(|| hardness::parse(text)).flatten().map(|(_, scale)| scale)
     }
 
     /// Refuses free keys and columns of the data that have no effect, and impacts without a speed or a mass.
     pub fn check_varied(
         &self,
         wanted: &CalibrationRequest,
-        columns: &[&'static NumericKey],
+        columns: &[NumericKey],
         is_of_impacts: bool,
     ) -> Result<(), Error> {
         let refuse = |path: &str, message: String| {
-            let is_column = columns.iter().any(|key| key.path == path);
+            let is_column = columns.iter().any(|key| key.path() == path);
             let (place, before) =
                 if is_column { ("calibrate.data", format!("its column {path} ")) } else { (path, String::new()) };
             Err(self.refusal_where_varied(place, before + &message))
         };
         let mut input = wanted.input.clone();
         let free = wanted.free.iter().map(|free| (free.key, free.from));
-        let axis = |(key, value): (&'static NumericKey, f64)| {
+        let axis = |(key, value): (NumericKey, f64)| {
             key.set_exclusive(&mut input, value);
             SweepAxis::from_numbers(key, AxisValues::List(vec![value]))
         };
         let axes = free.chain(columns.iter().map(|key| (*key, 1.0))).map(axis).collect();
         let plan = Plan::new(&input, Cases::Grid(axes));
         let paths = plan.varied_paths();
-        if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path == free.key.path)) {
+        if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path() == free.key.path())) {
             return refuse(
-                free.key.path,
+                free.key.path(),
                 "is both a fitted key and a column of the data. Remove one of the two.".to_owned(),
             );
         }

@@ -48,11 +48,11 @@ impl Scenario {
             && let Some(variable) =
                 variables.iter().find(|variable| variable.probability_in_range() < MIN_PROBABILITY_IN_RANGE)
         {
-            let allowed = variable.key.quantity.allowed_range();
+            let allowed = variable.key.quantity().allowed_range();
             let message = format!(
                 "less than {MIN_PROBABILITY_IN_RANGE} of the distribution lies in the allowed range, {allowed}. Change the distribution."
             );
-            return refuse(variable.key.path, message);
+            return refuse(variable.key.path(), message);
         }
         if plan.n_cases() > MAX_CASES {
             return refuse(

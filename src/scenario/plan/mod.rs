@@ -147,7 +147,7 @@ impl Plan {
     pub fn varied_paths(&self) -> Vec<&'static str> {
         match &self.cases {
             Cases::Grid(axes) => axes.iter().map(SweepAxis::path).collect(),
-            Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.path).collect(),
+            Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.path()).collect(),
         }
     }
 

@@ -149,7 +149,7 @@ impl Scenario {
         }
         for table in ["friction", "gravity", "damping"] {
             let keys: Vec<&str> =
-                NUMERIC_KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
+                NUMERIC_KEYS.iter().map(|key| key.path()).filter(|path| path.starts_with(table)).collect();
             if self.document.contains(table) && !keys.iter().any(|path| self.document.contains(path)) {
                 refused.push(self.document.missing_any_key(table, &keys, "; or remove the table"));
             }

@@ -38,9 +38,9 @@ impl Scenario {
     pub(in crate::scenario) fn check_numbers(&self, input: &Input, form: &str) -> Result<(), Error> {
         let begin = format!("{form}.");
         let needed = ALL_KEYS.iter().filter(|key| key.path.starts_with(&begin) && key.default.is_empty());
-        let is_missing = |key: &&NumericKey| key.get(input).is_none();
+        let is_missing = |key: &NumericKey| key.get(input).is_none();
         let missing = needed.filter_map(|key| NumericKey::find(key.path)).find(is_missing);
-        match missing.and_then(|key| key.path.rsplit_once('.')) {
+        match missing.and_then(|key| key.path().rsplit_once('.')) {
             Some((table, name)) => Err(self.document.missing_key(table, name)),
             None => Ok(()),
         }

@@ -74,15 +74,15 @@ fn key_without_effect_on_contact_says_so() {
     let (own, law) = (contact(&scene), scene.law());
     let mut kept = 0;
     for key in NUMERIC_KEYS.iter() {
-        let (low, high) = key.quantity.range();
+        let (low, high) = key.quantity().range();
         let mut changed = scene.clone();
         key.set_exclusive(
             &mut changed,
             if high.is_finite() { 0.3 * low.max(0.0) + 0.7 * high } else { low.max(0.0) + 1.0 },
         );
-        assert!(key.part.changes_contact() || contact(&changed) == own, "{}", key.path);
-        assert!(key.part.changes_law() || changed.law() == law, "{}", key.path);
-        kept += u32::from(!key.part.changes_contact());
+        assert!(key.part().changes_contact() || contact(&changed) == own, "{}", key.path());
+        assert!(key.part().changes_law() || changed.law() == law, "{}", key.path());
+        kept += u32::from(!key.part().changes_contact());
     }
     assert!(kept >= 6, "{kept}");
 }
@@ -146,16 +146,16 @@ fn every_key_has_effect_or_reason() {
             let is_refused = |part| {
                 of == Kind::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver | Part::Rate)
             };
-            for key in NUMERIC_KEYS.iter().filter(|key| !is_refused(key.part)) {
+            for key in NUMERIC_KEYS.iter().filter(|key| !is_refused(key.part())) {
                 let Some(number) = key.get(&input).filter(|number| number.is_finite()) else { continue };
                 let mut changed = input.clone();
                 key.set(&mut changed, Some(0.9 * number));
                 let facts = Facts { inputs: std::slice::from_ref(&input), kind: of, varied: &[] };
-                let reason = facts.why_unused(key.path);
+                let reason = facts.why_unused(key.path());
                 let is_idle = computed(&changed, of) == computed(&input, of);
-                assert_eq!(reason.is_some(), is_idle, "{} for {of:?}: {reason:?}, {input:?}", key.path);
-                met.insert(key.path);
-                idle.extend(reason.map(|_| (key.path, format!("{of:?}"))));
+                assert_eq!(reason.is_some(), is_idle, "{} for {of:?}: {reason:?}, {input:?}", key.path());
+                met.insert(key.path());
+                idle.extend(reason.map(|_| (key.path(), format!("{of:?}"))));
             }
         }
     }

@@ -71,7 +71,7 @@ fn overrides_replace_alternatives_and_tables_and_remove_keys() {
     let set = |set: &[&str]| resolve(STEEL, set).unwrap();
     assert_eq!(set(&["sphere.diameter=1 cm"]), set(&["sphere.radius=none", "sphere.diameter=1 cm"]));
     for [other, own] in ALTERNATIVES {
-        let quantity = NumericKey::find(own).unwrap().quantity;
+        let quantity = NumericKey::find(own).unwrap().quantity();
         let number = quantity.parse(quantity.example.trim_matches('"')).unwrap();
         let need = if own == "impact.drop_height" { "gravity.acceleration=9.81" } else { "solver.method=auto" };
         let input = set(&[need, &format!("{own}={number}")]);
@@ -133,32 +133,32 @@ fn required_lines(path: &str) -> (Vec<String>, &'static str) {
 fn every_listed_key_is_read_from_file() {
     for key in NUMERIC_KEYS.iter() {
         let is_share =
-            ["poissons_ratio", "stiffness_ratio", "power.exponent"].iter().any(|name| key.path.ends_with(name));
+            ["poissons_ratio", "stiffness_ratio", "power.exponent"].iter().any(|name| key.path().ends_with(name));
         // a value inside of the range of the key
-        let value = match key.path {
+        let value = match key.path() {
             "solver.tolerance" => 1e-3,
             "half_space.hardness" | "sphere.hardness" => 1.25e9,
             path if path.ends_with(".johnson_cook.c") => 0.125,
             _ if is_share => 0.25,
             _ => 1.25,
         };
-        let (beside, without) = required_lines(key.path);
-        let size = if key.path == "sphere.radius" { "[sphere]" } else { "[sphere]\ndiameter = 1" };
+        let (beside, without) = required_lines(key.path());
+        let size = if key.path() == "sphere.radius" { "[sphere]" } else { "[sphere]\ndiameter = 1" };
         let text = STEEL.replace("radius = \"5 mm\"\n", "").replace("[sphere]", size);
         let text = if without.is_empty() { text } else { text.replace(without, "") };
         let beside: Vec<&str> = beside.iter().map(String::as_str).collect();
         let given = |more: &[&str]| resolve(&text, &[&beside, more].concat()).unwrap();
         // an angle always carries its unit
-        let unit = if key.path == "impact.angle" { " rad" } else { "" };
-        let by_file = given(&[&format!("{}={value}{unit}", key.path)]);
+        let unit = if key.path() == "impact.angle" { " rad" } else { "" };
+        let by_file = given(&[&format!("{}={value}{unit}", key.path())]);
         // a key of a law needs this law
-        let law = key.path.strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
-        if key.path != "sphere.radius" {
+        let law = key.path().strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
+        if key.path() != "sphere.radius" {
             let mut by_key = given(&[&format!("law.{law}={{}}")]);
             key.set_exclusive(&mut by_key, value);
-            assert_eq!(by_file, by_key, "{}", key.path);
+            assert_eq!(by_file, by_key, "{}", key.path());
         }
-        assert_eq!(key.get(&by_file), Some(value), "{}", key.path);
+        assert_eq!(key.get(&by_file), Some(value), "{}", key.path());
     }
     assert_eq!(NumericKey::find("impact.speed").unwrap().column_name(), "impact_speed_m_per_s");
     assert!(NumericKey::find("solver.method").is_none());
