@@ -5,20 +5,25 @@
 //! threads, shards and interruptions do not change the table: a part is there as a whole or not at all, and a run computes
 //! the parts that are missing ([`job`]). Memory does not grow with the number of rows.
 
+pub mod chunks;
 pub mod corner_warnings;
 pub mod evaluator;
 pub mod format;
 pub mod job;
+mod missing_parts;
 pub mod parts;
 pub mod shard;
 pub mod statistics;
+pub(crate) mod table_files;
 pub mod tally;
 
+pub use chunks::compute_rows;
 pub use evaluator::{Evaluator, RowFailure, Rows};
 pub use format::Format;
-pub use job::{FinishedTable, TableJob};
+pub use job::FinishedTable;
 pub use parts::PartLayout;
 pub use shard::Shard;
+pub use table_files::TableJob;
 pub use tally::{Tally, classify};
 
 use std::io;
