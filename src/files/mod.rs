@@ -61,13 +61,13 @@ pub fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
 /// The error of a file that another program wrote.
 pub fn foreign_file_error(path: &Path) -> Error {
     let reason = "already exists and was not written by this program. Move the file, choose another --out, or use --force to replace it.";
-    Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
+    Error::for_path(path, reason)
 }
 
 /// The error of a result that would replace the file of the scenario, or a file that the scenario reads.
 fn input_error(path: &Path) -> Error {
     let reason = "this file belongs to the scenario, and the results would replace it. Choose another --out.";
-    Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
+    Error::for_path(path, reason)
 }
 
 /// The origin of results.
@@ -202,7 +202,7 @@ impl OutputDirectory {
     }
 
     fn refusal_error(&self, reason: &str) -> Error {
-        Error::for_file(ErrorKind::Input, &self.path.display().to_string(), reason)
+        Error::for_path(&self.path, reason)
     }
 
     pub fn path(&self) -> &Path {

@@ -17,11 +17,6 @@ pub(crate) fn file_error(problem: &'static str, path: &Path) -> impl Fn(io::Erro
     Error::from_io(ErrorKind::Failed, path, problem, "")
 }
 
-/// The error for a file that prevents writing, with the remedy.
-pub(crate) fn blocked_file_error(path: &Path, problem: impl std::fmt::Display) -> Error {
-    Error::for_file(ErrorKind::Input, &path.display().to_string(), problem)
-}
-
 /// The names in a folder; none if there is no such folder.
 fn names_in(folder: &Path) -> Result<Vec<OsString>, Error> {
     let names = match fs::read_dir(folder) {
@@ -46,7 +41,7 @@ impl OutputDirectory {
         let (folder, identity) = (self.path().join(PARTS_FOLDER), self.path().join(IDENTITY_FILE));
         let names = names_in(&folder)?;
         if !self.is_forced() && names.iter().any(is_part) {
-            return Err(blocked_file_error(
+            return Err(Error::for_path(
                 &folder,
                 "contains parts of a table. Choose another --out, or use --force to delete them.",
             ));

@@ -100,13 +100,13 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
     result_specs! { |single: SingleImpact<'a>|
         /// Relative normal speed after the impact over the relative normal speed before it; `null` for a sphere that is released at first
         /// touch.
-        "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
+        "restitution" briefly "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
         /// Both ends of the uncertainty interval (95 %) of the measured restitution: of `restitution_with_waves` where the
         /// half-space has a density, else of `restitution`. Known biases move both ends, and scatter is added as squares. There is no
         /// interval if a warning reports an error of e of unknown size.
         "restitution_interval" if INTERVAL: single.interval.map(|interval| vec![interval.low, interval.high]);
         /// The interval and its parts as text.
-        "restitution_interval_text" as "({})" if INTERVAL: single.interval.map(RestitutionInterval::to_text);
+        "restitution_interval_text" briefly "({})" if INTERVAL: single.interval.map(RestitutionInterval::to_text);
         /// The parts of the interval: `name`, `kind` (`shift`, `width` or `not_included`), `low` and `high` as shares of e, less 1.
         "restitution_interval_parts" if INTERVAL: single.interval.map(|interval| json!(interval.parts));
         /// The lower end of the interval.
@@ -131,7 +131,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Energy radiated as elastic waves, to first order, over the kinetic energy of the motion normal to the half-space.
         "wave_loss_fraction" in Percent as "wave loss" [Density: |row| row.wave_loss_fraction];
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
-        "restitution_with_waves" as "restitution with waves" [Density: ImpactRow::restitution_with_waves];
+        "restitution_with_waves" briefly "restitution with waves" [Density: ImpactRow::restitution_with_waves];
         /// Speed of the sphere when it separates, normal to the half-space; negative where it pushes a lighter body on and follows it.
         "rebound_speed_m_per_s" in Speed as "rebound speed": single.impact.rebound_speed;
         /// Speed of the body that is hit after the impact, in the direction of the approach.
@@ -141,7 +141,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Its spin, in the direction of a sphere that rolls forward.
         "target_spin_rad_per_s" in AngularSpeed as "spin {}" [Struck: |row| target_value(row, 1)];
         /// Height to which the sphere rises, with waves and air where they are known.
-        "rebound_height_m" in Length as "rebound height" [Flight: |row| row.rebound_height];
+        "rebound_height_m" in Length briefly "rebound height" [Flight: |row| row.rebound_height];
         /// Share of the energy m g h of a fall to the impact speed that the air takes, buoyancy counted.
         "air_loss_fraction" in Percent as "air absorbed {} of the drop energy" if AIR: single.flight_in_air().and_then(|flying| {
             // near the terminal speed the height cannot be found from the speed
@@ -153,7 +153,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Speed at which the drag of the air carries the weight.
         "terminal_speed_m_per_s" in Speed if AIR: single.flight_in_air().map(|flying| flying.terminal_speed());
         /// Angle of the rebound from the normal, in degrees; negative where the sphere is thrown back.
-        "rebound_angle_deg" as "rebound angle (deg)" [Incidence: |row| rebound_value(row, |after| after.angle.to_degrees())];
+        "rebound_angle_deg" briefly "rebound angle (deg)" [Incidence: |row| rebound_value(row, |after| after.angle.to_degrees())];
         /// Tangential speed of the sphere's centre after the impact over that before; `null` without one before.
         "tangential_restitution" as "tangential restitution"
             [Incidence: |row| rebound_value(row, |after| after.tangential_restitution)];
@@ -185,12 +185,12 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Error of -s_1/s_0: the sum of what halving each step of friction changes; 0 for gross sliding.
         "friction_error" in Error [Incidence: |row| rebound_value(row, |after| after.error)];
         /// Time from first touch to separation; `null` for a captured sphere.
-        "contact_time_s" in Time as "contact time"
+        "contact_time_s" in Time briefly "contact time"
             [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)];
         /// Time from first touch to the largest indentation.
         "loading_time_s" in Time as "compression {}": single.impact.loading_time;
         /// Largest contact force.
-        "peak_force_N" in Force as "peak force" [Nothing: |row| Some(row.peak_force)];
+        "peak_force_N" in Force briefly "peak force" [Nothing: |row| Some(row.peak_force)];
         /// Largest indentation: how far the sphere's centre has come closer to the half-space.
         "peak_indentation_m" in Length as "peak indentation" [Nothing: |row| Some(row.peak_indentation)];
         /// The sphere's own share of the largest indentation, with the flat that it keeps; 0 for a rigid sphere.
@@ -207,14 +207,14 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// The part of the largest indentation that is recovered on unloading.
         "elastic_approach_m" in Length: single.impact.elastic_approach;
         /// How much closer the bodies stay: the depth of the dent and of the flat on the sphere; 0 without both.
-        "residual_indentation_m" in Length as "dent depth" [Strength: |row| Some(row.residual_indentation)];
+        "residual_indentation_m" in Length briefly "dent depth" [Strength: |row| Some(row.residual_indentation)];
         /// The part of the residual indentation that is a dent in the half-space. Where both bodies yield, the division is an
         /// estimate, validated up to a contact radius of 0.11 of the sphere's.
         "dent_depth_m" in Length as "dent {}" [Flat: |row| Some(row.dent_depth())];
         /// The part of the residual indentation that is a flat on the sphere.
         "flat_depth_m" in Length as "flat on the sphere {}" [Flat: |row| Some(row.flat_depth)];
         /// Diameter of the flat on the sphere: that of the contact at the peak; `null` without one.
-        "flat_diameter_m" in Length as "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
+        "flat_diameter_m" in Length briefly "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
         /// Which body flows: `half_space`, `sphere`, `both`, or `none`.
         "yielding_body" as "yielding body" if FLATTENS: single.if_sphere_yields(single.yielding_body());
         /// Effective radius of the contact on unloading.
@@ -222,7 +222,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Radius of curvature of the dent; `null` without one.
         "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: single.if_yields(single.impact.residual_radius);
         /// Diameter of the dent's rim: twice the contact radius at the peak that shaped it; `null` without a dent.
-        "dent_diameter_m" in Length as "dent diameter"
+        "dent_diameter_m" in Length briefly "dent diameter"
             [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
         /// Impact speed above which a body yields.
         "yield_speed_m_per_s" in Speed as "yield speed" if REACHES: single.at_first_yield(single.contact.yield_speed());

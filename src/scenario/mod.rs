@@ -123,17 +123,22 @@ impl Scenario {
         mistakes.extend(scenario.check_combinations());
         // a misspelt key, or a value of a misspelt material, is not also reported as missing
         if !has_unknown {
-            let needed = match scenario.kind() {
-                // an impact checks for all needed keys when it is resolved, unless the scenario has to change anyway
-                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if mistakes.is_empty() => 0,
-                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => REQUIRED_KEYS.len() - 1,
-                Ok(Kind::Indentation) if !scenario.origin("half_space").is_given() => N_SPHERE_KEYS,
-                Ok(Kind::Indentation | Kind::Calibrate) => N_BODY_KEYS,
-                Err(_) => N_SPHERE_KEYS,
-            };
+            let needed = scenario.needed_while_reading(mistakes.is_empty());
             mistakes.extend(scenario.missing_keys(&REQUIRED_KEYS[..needed]));
         }
         Error::combine(mistakes).map_or(Ok(scenario), Err)
+    }
+
+    /// How many of [`REQUIRED_KEYS`] are asked for while the scenario is read. An impact asks for its keys when it is resolved,
+    /// unless the scenario has to change anyway.
+    fn needed_while_reading(&self, is_correct: bool) -> usize {
+        match self.kind() {
+            Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if is_correct => 0,
+            Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => REQUIRED_KEYS.len() - 1,
+            Ok(Kind::Indentation) if !self.origin("half_space").is_given() => N_SPHERE_KEYS,
+            Ok(Kind::Indentation | Kind::Calibrate) => N_BODY_KEYS,
+            Err(_) => N_SPHERE_KEYS,
+        }
     }
 
     /// Refuses a scenario that lacks one of these keys.

@@ -9,7 +9,7 @@ use serde_json::Value;
 use super::format::Format;
 use super::shard::Shard;
 use crate::error::Error;
-use crate::files::parts_folder::{IDENTITY_FILE, PARTS_FOLDER, blocked_file_error, file_error};
+use crate::files::parts_folder::{IDENTITY_FILE, PARTS_FOLDER, file_error};
 use crate::files::{FORMAT_VERSION, OutputDirectory, RESULTS_VERSION, VERSION, create};
 use crate::scenario::ScenarioSource;
 use crate::scenario::plan::Plan;
@@ -113,7 +113,7 @@ impl TableIdentity {
             Err(error) => return Err(file_error("cannot be read", &path)(error)),
         };
         let way_out = "Resume with the original command, choose another --out, or use --force to start over.";
-        Err(blocked_file_error(&folder, format!("these parts are {difference}. {way_out}")))
+        Err(Error::for_path(&folder, format!("these parts are {difference}. {way_out}")))
     }
 
     /// Writes it into a folder that has none.
@@ -124,7 +124,7 @@ impl TableIdentity {
         let path = directory.path().join(IDENTITY_FILE);
         match create(&path, self.to_text().as_bytes()) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match fs::read_to_string(&path) {
-                Ok(there) if there != self.to_text() => Err(blocked_file_error(
+                Ok(there) if there != self.to_text() => Err(Error::for_path(
                     &path,
                     format!("another process has begun a table {}", self.difference(&there)),
                 )),

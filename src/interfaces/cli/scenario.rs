@@ -1,14 +1,12 @@
 //! The scenario among the arguments of a command.
 
-use std::fs::File;
-use std::io::{ErrorKind, Write as _, stdin};
+use std::io::{ErrorKind, stdin};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use plm_impact::error::Error;
+use plm_impact::files::create;
 use plm_impact::scenario::{MAX_SCENARIO_MIB, Override, Scenario, read_open_file};
-
-use super::terminal::failed_with;
 
 /// In place of a file it stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
@@ -16,12 +14,13 @@ pub const STANDARD_INPUT: &str = "-";
 /// Writes a scenario to a file, never over one that is there. `option` is the one that names another file.
 pub fn write_new_scenario(path: &Path, text: &str, option: &str) -> Result<(), Error> {
     let name = path.display();
-    let mut file = File::create_new(path).map_err(|reason| match reason.kind() {
+    create(path, text.as_bytes()).map_err(|reason| match reason.kind() {
         ErrorKind::AlreadyExists => Error::input(format!("{name} already exists. Choose another file with {option}.")),
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            Error::failed(format!("{name}: cannot be written: {reason}"))
+        }
         _ => Error::input(format!("{name}: cannot be written: {reason}. Choose another file with {option}.")),
     })?;
-    let written = file.write_all(text.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(path)));
-    written.map_err(failed_with(format!("{name}: cannot be written")))?;
     super::terminal::note(format_args!("wrote {name}. Next: `plm-impact run {name}`"));
     Ok(())
 }

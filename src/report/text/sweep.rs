@@ -4,9 +4,8 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
-use crate::results::ResultColumn;
-use crate::results::{ResultSpec, dimension_of, result_specs, to_field_list, to_fields};
-use crate::scenario::plan::{Cases, Plan, RESTITUTION, Variable};
+use crate::results::{RESTITUTION, ResultColumn, ResultSpec, dimension_of, result_specs, to_field_list, to_fields};
+use crate::scenario::plan::{Cases, Plan, Variable};
 use crate::strings::align_columns;
 use crate::table::Tally;
 use crate::table::statistics::RestitutionStatistics;

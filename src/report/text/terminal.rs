@@ -19,20 +19,6 @@ pub enum Detail {
     Full,
 }
 
-/// The results of a brief answer.
-const BRIEF_RESULTS: [&str; 10] = [
-    "restitution",
-    "restitution_interval_text",
-    "restitution_with_waves",
-    "rebound_height_m",
-    "rebound_angle_deg",
-    "contact_time_s",
-    "peak_force_N",
-    "residual_indentation_m",
-    "flat_diameter_m",
-    "dent_diameter_m",
-];
-
 pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
     let impact = single.impact;
     let is_of_the_integrator =
@@ -48,7 +34,7 @@ pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
         "dent_diameter_m" => impact.has_flat() && !is_shared,
         name => detail != Detail::Full && is_of_the_integrator(name),
     };
-    results.retain(|result| !is_idle(result.name) && (!is_brief || BRIEF_RESULTS.contains(&result.name)));
+    results.retain(|result| !is_idle(result.name) && (!is_brief || result.is_brief));
     let speed = ["impact speed".to_owned(), format_result(impact.speed, Dimension::Speed), String::new()];
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
     lines.extend(self::result_lines(&results, single, Imprint::new(single.contact.is_spring(), impact.imprint_name())));

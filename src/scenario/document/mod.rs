@@ -264,7 +264,7 @@ impl Document {
             .with_missing_key(Some(needed.as_str()).filter(|_| !table.is_empty()))
     }
 
-    /// The refusal if one of these keys is needed; `loading_leg` names other remedies.
+    /// The refusal if one of these keys is needed; `way_out` names other remedies.
     pub(super) fn missing_any_key(&self, table: &str, keys: &[&str], way_out: &str) -> Error {
         let mut names = keys.iter().map(|path| path.rsplit('.').next().unwrap_or(path));
         let first = missing_message(names.next().unwrap_or_default(), table);

@@ -78,26 +78,88 @@ macro_rules! strength_keys {
     };
 }
 
+/// The quantities that can be measured, by the same keys in two tables. `$rest` ends what is said of each; the numbers without a
+/// unit have quantities of their own.
+macro_rules! measured_keys {
+    ($table:literal, $rest:literal, $restitution:ident, $leeb:ident) => {
+        key_specs! {
+            $table;
+            #[doc = " Rebound speed over impact speed"]
+            #[doc = $rest]
+            "restitution" of Kind: Number(&$restitution);
+            #[doc = " Speed of the rebound"]
+            #[doc = $rest]
+            "rebound_speed" of Kind: Number(&SPEED);
+            #[doc = " Height of the rebound"]
+            #[doc = $rest]
+            "rebound_height" of Kind: Number(&LENGTH);
+            #[doc = " Time from this first touch to the next"]
+            #[doc = $rest]
+            "bounce_interval" of Kind: Number(&TIME);
+            #[doc = " Leeb hardness: 1000 times the restitution"]
+            #[doc = $rest]
+            "leeb" of Kind: Number(&$leeb);
+            #[doc = " Diameter of the dent's rim"]
+            #[doc = $rest]
+            "dent_diameter" of Kind: Number(&LENGTH);
+            #[doc = " Depth of the dent"]
+            #[doc = $rest]
+            "dent_depth" of Kind: Number(&LENGTH);
+            #[doc = " Time in contact"]
+            #[doc = $rest]
+            "contact_time" of Kind: Number(&TIME);
+            #[doc = " Largest force"]
+            #[doc = $rest]
+            "peak_force" of Kind: Number(&FORCE);
+        }
+    };
+}
+
+/// The parts of the list, in the order of the reference page.
+const PARTS: [&[KeySpec]; 9] = [
+    &SPHERE_KEYS,
+    &strength_keys!("sphere.", Sphere),
+    &HALF_SPACE_KEYS,
+    &strength_keys!("half_space.", HalfSpace),
+    &OTHER_KEYS,
+    &measured_keys!(
+        "calibrate.noise.",
+        "; its standard deviation, where the data have no column for it.",
+        DEVIATION,
+        DEVIATION
+    ),
+    &CURVE_NOISE,
+    &measured_keys!(
+        "calibrate.measured.",
+        ", measured in the impact of the scenario: in place of data.",
+        RESTITUTION,
+        LEEB
+    ),
+    &INDENTATION_KEYS,
+];
+
+/// The number of keys.
+const COUNT: usize = {
+    let (mut part, mut count) = (0, 0);
+    while part < PARTS.len() {
+        count += PARTS[part].len();
+        part += 1;
+    }
+    count
+};
+
 /// All keys, in the order of the reference page.
 pub const ALL_KEYS: &[KeySpec] = &{
-    let parts: [&[KeySpec]; 5] = [
-        &SPHERE_KEYS,
-        &strength_keys!("sphere.", Sphere),
-        &HALF_SPACE_KEYS,
-        &strength_keys!("half_space.", HalfSpace),
-        &OTHER_KEYS,
-    ];
-    let mut all = [SPHERE_KEYS[0]; SPHERE_KEYS.len() + HALF_SPACE_KEYS.len() + 30 + OTHER_KEYS.len()];
+    let mut all = [SPHERE_KEYS[0]; COUNT];
     let (mut part, mut place, mut next) = (0, 0, 0);
-    while part < parts.len() {
-        if place == parts[part].len() {
+    while part < PARTS.len() {
+        if place == PARTS[part].len() {
             (part, place) = (part + 1, 0);
         } else {
-            all[next] = parts[part][place];
+            all[next] = PARTS[part][place];
             (place, next) = (place + 1, next + 1);
         }
     }
-    assert!(next == all.len());
     all
 };
 
@@ -150,7 +212,7 @@ const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
 };
 
-const OTHER_KEYS: [KeySpec; 70] = key_specs! {
+const OTHER_KEYS: [KeySpec; 45] = key_specs! {
     "";
     /// Speed of the sphere at first touch, towards the half-space.
     "impact.speed" of Approach: Number(&SPEED);
@@ -248,44 +310,17 @@ const OTHER_KEYS: [KeySpec; 70] = key_specs! {
     "calibrate.noise" of Kind: WordOrTable(&NOISES) => "columns `_sd` of the data, else \"estimate\"";
     /// Error of the law as a share of each value, added in quadrature, independent from value to value.
     "calibrate.noise.model" of Kind: Number(&MODEL_ERROR) => "0";
-    /// Standard deviation of this measurement, where the data have no column for it.
-    "calibrate.noise.restitution" of Kind: Number(&DEVIATION);
-    /// Standard deviation of this measurement, where the data have no column for it.
-    "calibrate.noise.rebound_speed" of Kind: Number(&SPEED);
-    /// Standard deviation of this measurement, where the data have no column for it.
-    "calibrate.noise.rebound_height" of Kind: Number(&LENGTH);
-    /// Standard deviation of this measurement, where the data have no column for it.
-    "calibrate.noise.bounce_interval" of Kind: Number(&TIME);
-    /// Standard deviation of this measurement, where the data have no column for it.
-    "calibrate.noise.leeb" of Kind: Number(&DEVIATION);
-    /// Standard deviation of this measurement, where the data have no column for it.
-    "calibrate.noise.dent_diameter" of Kind: Number(&LENGTH);
-    /// Standard deviation of this measurement, where the data have no column for it.
-    "calibrate.noise.dent_depth" of Kind: Number(&LENGTH);
-    /// Standard deviation of this measurement, where the data have no column for it.
-    "calibrate.noise.contact_time" of Kind: Number(&TIME);
-    /// Standard deviation of this measurement, where the data have no column for it.
-    "calibrate.noise.peak_force" of Kind: Number(&FORCE);
-    /// Standard deviation of this measurement, where the data have no column for it.
+};
+
+/// Noise of an indentation curve, which is no measurement of an impact.
+const CURVE_NOISE: [KeySpec; 1] = key_specs! {
+    "";
+    /// Force of an indentation curve; its standard deviation, where the data have no column for it.
     "calibrate.noise.force" of Kind: Number(&FORCE);
-    /// Rebound speed over impact speed, measured in the impact of the scenario: in place of data.
-    "calibrate.measured.restitution" of Kind: Number(&RESTITUTION);
-    /// Speed of the rebound, measured in the impact of the scenario: in place of data.
-    "calibrate.measured.rebound_speed" of Kind: Number(&SPEED);
-    /// Height of the rebound, measured in the impact of the scenario: in place of data.
-    "calibrate.measured.rebound_height" of Kind: Number(&LENGTH);
-    /// Time from this first touch to the next, measured in the impact of the scenario: in place of data.
-    "calibrate.measured.bounce_interval" of Kind: Number(&TIME);
-    /// Leeb hardness: 1000 times the restitution, measured in the impact of the scenario: in place of data.
-    "calibrate.measured.leeb" of Kind: Number(&LEEB);
-    /// Diameter of the dent's rim, measured in the impact of the scenario: in place of data.
-    "calibrate.measured.dent_diameter" of Kind: Number(&LENGTH);
-    /// Depth of the dent, measured in the impact of the scenario: in place of data.
-    "calibrate.measured.dent_depth" of Kind: Number(&LENGTH);
-    /// Time in contact, measured in the impact of the scenario: in place of data.
-    "calibrate.measured.contact_time" of Kind: Number(&TIME);
-    /// Largest force, measured in the impact of the scenario: in place of data.
-    "calibrate.measured.peak_force" of Kind: Number(&FORCE);
+};
+
+const INDENTATION_KEYS: [KeySpec; 6] = key_specs! {
+    "";
     /// Load at which the step ends.
     "indentation.steps[].load" of Kind: Number(&LOAD);
     /// Indentation at which the step ends, in place of the load.

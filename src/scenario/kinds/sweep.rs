@@ -2,10 +2,10 @@
 
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
-use crate::results::{ResultColumn, result_columns};
+use crate::results::{RESTITUTION, ResultColumn, result_columns};
 use crate::scenario::keys::{KeyId, OTHER, key};
 use crate::scenario::plan::read_axes::{METHOD_KEY, RandomKeys};
-use crate::scenario::plan::{Cases, MAX_CASES, Plan, RESTITUTION};
+use crate::scenario::plan::{Cases, MAX_CASES, Plan};
 use crate::scenario::{Kind, Scenario};
 
 impl Scenario {

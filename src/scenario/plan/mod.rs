@@ -11,7 +11,7 @@ use super::input::{Body, Input, NumericKey};
 use super::keys::body_key;
 use super::rules::effect::Facts;
 use crate::impact::{Method, Warning};
-use crate::results::{Requirement, ResultColumn, result_columns};
+use crate::results::{RESTITUTION, Requirement, ResultColumn, result_columns};
 pub(crate) use axis::{AxisSetting, AxisValues, AxisWord, SweepAxis};
 pub use free_key::FreeKey;
 pub(crate) use random::{Distribution, Variable, VariableSampler};
@@ -41,9 +41,6 @@ pub struct Plan {
     /// Names of the results in pictures; `None`: the results that suit the first axis.
     pub pictures: Option<Vec<&'static str>>,
 }
-
-/// A table always has this result.
-pub const RESTITUTION: &str = "restitution";
 
 /// The key of the yield strength, which may follow from a hardness.
 pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
