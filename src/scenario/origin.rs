@@ -7,10 +7,8 @@ use super::input::read_input::is_at_or_below;
 /// What gives a key, or the keys of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Origin {
-    /// The file or the command line.
-    pub is_written: bool,
-    /// A named material.
-    pub is_of_material: bool,
+    /// True if the file, the command line or a named material gives a value or a table.
+    pub is_given: bool,
     /// The key itself varies over the cases of a table, or is a free key of a calibration.
     pub varies: bool,
     /// The key, or a key of the table, varies or stands among the keys that vary, even with a refused value.
@@ -18,13 +16,8 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// True if there is a value, or a table.
-    pub fn is_given(self) -> bool {
-        self.is_written || self.is_of_material
-    }
-
     pub fn is_given_or_varies(self) -> bool {
-        self.is_given() || self.has_axis
+        self.is_given || self.has_axis
     }
 }
 
@@ -35,8 +28,7 @@ impl Scenario {
         let is_in = |table: &str| self.document.contains(&format!("{table}.{path}"));
         let mut of_materials = self.input.materials().iter().flat_map(BodyMaterial::known_values);
         Origin {
-            is_written: self.document.contains(path),
-            is_of_material: of_materials.any(|(given, _)| given == path),
+            is_given: self.document.contains(path) || of_materials.any(|(given, _)| given == path),
             varies: varied.contains(&path),
             has_axis: varied.iter().any(|varied| is_at_or_below(varied, path))
                 || ["sweep", "monte_carlo", "calibrate.free"].into_iter().any(is_in),

@@ -72,7 +72,9 @@ pub fn compute_rows<P: Send>(
     let make = |chunk: u64| computer.compute(cases(chunk), &encode);
     ordered_parallel(0..plan.n_cases().div_ceil(step), make, |(piece, outcomes)| {
         take(piece);
-        outcomes.into_iter().for_each(|outcome| tally.push(outcome));
+        for outcome in outcomes {
+            tally.push(outcome);
+        }
         Ok(())
     })?;
     Ok(tally)

@@ -50,7 +50,9 @@ impl<F: TableEncoder> MissingParts<'_, F> {
                     Some(piece) => self.append(&cases, &piece, &mut open)?,
                     None => resumed += cases.end - cases.start,
                 }
-                outcomes.into_iter().for_each(|outcome| tally.push(outcome));
+                for outcome in outcomes {
+                    tally.push(outcome);
+                }
                 job.progress.set(tally.rows, total);
             }
             Ok(())

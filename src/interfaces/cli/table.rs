@@ -84,7 +84,7 @@ impl TableRequest {
     }
 
     /// Writes the table, or a shard of it; a whole table also has a summary and pictures.
-    pub fn compute<'a>(self, request: Request<'a>) -> Result<Results<'a>, Error> {
+    pub fn compute(self, request: Request<'_>) -> Result<Results<'_>, Error> {
         let Self { plan, warnings_and_notes, shard, format, threads } = self;
         let Request { scenario, directory, output, .. } = request;
         let layout = part_layout(&plan);
