@@ -79,7 +79,7 @@ fn files_of_others_are_replaced_by_force_alone() {
     fs::write(desk.path("out/trace.csv"), "mine").unwrap();
     let arguments = ["run", "s.toml", "--out", "out"];
     let message = desk.run_expecting(&arguments, 2).1;
-    assert!(message.contains("out/trace.csv: exists, and is no result of this program"), "{message}");
+    assert!(message.contains("out/trace.csv: already exists and was not written by this program"), "{message}");
     assert_eq!((desk.read("out/trace.csv"), desk.files("out")), ("mine".to_owned(), vec!["trace.csv".to_owned()]));
     desk.run_expecting(&["run", "s.toml", "--out", "out", "--force"], 0);
     assert!(desk.read("out/trace.csv").starts_with("time_s,"));
@@ -108,7 +108,7 @@ fn scenarios_share_a_folder_only_with_notice() {
     desk.run_expecting(&["run", "a/s.toml", "--pictures", "svg"], 0);
     let first = desk.read("plots/s/summary.json");
     let message = desk.run_expecting(&["run", "b/s.toml"], 2).1;
-    assert!(message.contains("holds results of a/s.toml, and these are of b/s.toml"), "{message}");
+    assert!(message.contains("contains results of a/s.toml; the current scenario is b/s.toml"), "{message}");
     assert_eq!(desk.read("plots/s/summary.json"), first);
     // an edited scenario and a copy of the scenario are allowed
     fs::write(desk.path("a/s.toml"), STEEL.replace("3 m/s", "2 m/s")).unwrap();
@@ -146,7 +146,7 @@ fn results_of_other_file_stay_for_any_path() {
         let there = desk.read(&format!("{out}/summary.json"));
         let (code, said) = run("", other, out);
         assert!(
-            code == Some(2) && said.contains(&format!("holds results of {one}, and these are of {other}")),
+            code == Some(2) && said.contains(&format!("contains results of {one}; the current scenario is {other}")),
             "{said}"
         );
         assert_eq!(desk.read(&format!("{out}/summary.json")), there);
@@ -228,7 +228,7 @@ fn signals_stop_other_long_work_without_leftovers() {
         let is_stopped = |output: Output, arguments: &[&str]| {
             let said = text(&output.stderr);
             assert_eq!(output.status.code(), Some(want), "{arguments:?}: {said}");
-            assert_eq!(said, "error: interrupted; nothing was written\n");
+            assert_eq!(said, "error: interrupted; no files were written\n");
             assert!(!desk.path("out").exists(), "{arguments:?}");
         };
         for arguments in [&repeat, &calibrate] {
@@ -247,7 +247,7 @@ fn signals_stop_other_long_work_without_leftovers() {
         bench.current_dir(desk.path("")).env("PLM_IMPACT_TEST_SIGNAL", format!("{number}@1"));
         let output = bench.args(["bench", "--quick", "--out", "out/deep"]).output().unwrap();
         let said = text(&output.stderr);
-        assert!(output.status.code() == Some(want) && said.ends_with("interrupted; nothing was written\n"), "{said}");
+        assert!(output.status.code() == Some(want) && said.ends_with("interrupted; no files were written\n"), "{said}");
         assert!(!desk.path("out").exists());
     }
 }

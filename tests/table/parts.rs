@@ -240,9 +240,9 @@ fn parts_of_other_table_are_refused() {
         refused(500, &[], wanted);
     }
     fs::write(desk.path("out/_table.json"), "no").unwrap();
-    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("of a table that _table.json does not tell"));
+    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("of an unknown table (_table.json cannot be read)"));
     fs::remove_file(desk.path("out/_table.json")).unwrap();
-    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("of a table that no _table.json tells"));
+    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("of an unknown table (_table.json is missing)"));
     ends(run(&desk, "out", Some(400), &["--force"]), 0);
     ends(run(&desk, "whole", None, &[]), 0);
     assert!(bytes(&desk, "out") == bytes(&desk, "whole"));
@@ -290,7 +290,7 @@ fn other_run_of_same_scenario_removes_table_files() {
     ends(run(&desk, "parts", Some(500), &["--shard", "0/2"]), 0);
     fs::write(desk.path("s.toml"), STEEL).unwrap();
     let message = ends(run(&desk, "parts", None, &[]), 2);
-    assert!(message.contains("parts/parts: has the parts of a table; name another --out"), "{message}");
+    assert!(message.contains("parts/parts: contains parts of a table. Choose another --out"), "{message}");
     ends(run(&desk, "parts", None, &["--force"]), 0);
     assert_eq!(desk.files("parts"), ["summary.json", "trace.csv"]);
     // a folder of another program stays

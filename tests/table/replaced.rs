@@ -24,7 +24,7 @@ fn pictures_of_other_programs_are_kept() {
         let desk = Sandbox::with(STEEL);
         desk.write("o/history.png", &mine);
         let said = desk.run_expecting(&RUN, 2).1;
-        assert!(said.contains("o/history.png: exists, and is no result of this program"), "{said}");
+        assert!(said.contains("o/history.png: already exists and was not written by this program"), "{said}");
         assert_eq!((fs::read(desk.path("o/history.png")).unwrap(), desk.files("o").len()), (mine, 1));
         desk.run_expecting(&[&RUN[..], &["--force"]].concat(), 0);
         // without its summary, as after a kill, a picture of this program is known by its form
@@ -39,7 +39,7 @@ fn earlier_summary_protects_files_outside_its_list() {
     desk.run_expecting(&[&RUN[..], &["--pictures", "none"]].concat(), 0);
     desk.write("o/history.png", "mine");
     let said = desk.run_expecting(&RUN, 2).1;
-    assert!(said.contains("o/history.png: exists, and is no result"), "{said}");
+    assert!(said.contains("o/history.png: already exists and was not written by this program"), "{said}");
     assert_eq!(desk.read("o/history.png"), "mine");
     assert_eq!(desk.files("o"), ["history.png", "summary.json", "trace.csv"]);
 }
@@ -57,7 +57,7 @@ fn a_parquet_table_of_another_program_is_kept() {
         fs::remove_dir_all(desk.path("o")).unwrap();
         desk.write("o/table.parquet", &mine);
         let said = desk.run_expecting(&run, 2).1;
-        assert!(said.contains("o/table.parquet: exists, and is no result"), "{said}");
+        assert!(said.contains("o/table.parquet: already exists and was not written by this program"), "{said}");
         assert!(fs::read(desk.path("o/table.parquet")).unwrap() == mine);
     }
     fs::remove_dir_all(desk.path("o")).unwrap();
@@ -223,5 +223,5 @@ fn other_text_of_standard_input_is_named() {
     };
     assert_eq!(piped("1 m/s").0, Some(0));
     let (code, said) = piped("2 m/s");
-    assert!(code == Some(2) && said.contains("w: holds the results of another text from stdin"), "{said}");
+    assert!(code == Some(2) && said.contains("w: contains results of another text from stdin"), "{said}");
 }

@@ -54,5 +54,5 @@ fn thread_start_failure_suggests_fewer_threads() {
         env!("CARGO_BIN_EXE_plm-impact"),
     ]);
     let output = command.args(RUN).args(["--threads", "1000"]).output().unwrap();
-    assert_ends(&output, &["does not start 1000 threads", "--threads"]);
+    assert_ends(&output, &["cannot start 1000 threads", "--threads"]);
 }

@@ -98,7 +98,7 @@ fn named_columns_have_quantiles_and_histograms() {
     let output = desk.run(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let said = text(&output.stdout);
-    assert!(said.contains(" in all cases, as it does not depend on sphere.radius here\n"), "{said}");
+    assert!(said.contains(" in all cases, because this result does not depend on sphere.radius here\n"), "{said}");
     let lines: Vec<Vec<&str>> =
         said.lines().map(|line| line.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect()).collect();
     let head = ["random cases", "mean", "standard deviation", "5 %", "50 %", "95 %"];
