@@ -94,6 +94,11 @@ impl Error {
         Self::new(kind, format!("{file}: {reason}")).with_file(file)
     }
 
+    /// A path on the command line is wrong: it has to change.
+    pub fn for_path(path: &Path, reason: impl Display) -> Self {
+        Self::for_file(ErrorKind::Input, &path.display().to_string(), reason)
+    }
+
     /// The file system refuses a file; for `map_err`. The problem is such as `cannot be read`. The remedy may be empty.
     pub fn from_io(kind: ErrorKind, path: &Path, problem: &str, way_out: &str) -> impl Fn(io::Error) -> Self {
         let begin = format!("{}: {problem}", path.display());

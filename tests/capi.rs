@@ -224,12 +224,12 @@ fn c_program_prints_bits_of_library() {
     expected.extend(along_the_path(&contact));
     let printed: Vec<_> = printed.lines().collect();
     assert_eq!(printed[..expected.len()], expected);
-    let waves = Scenario::load(&with_waves, &[]).unwrap().resolve_bodies().unwrap().contact().unwrap();
+    let waves = Scenario::load(&with_waves, &[]).unwrap().checked_bodies().unwrap().1.unwrap();
     let waves = waves.closed_form(3.0).unwrap().row.restitution_with_waves().unwrap();
     let bits = [("validated_indentation", contact.validated_indentation()), ("waves", waves)]
         .map(|(name, number)| format!("{name} {:016x}", number.to_bits()));
     // a strength that rises with the rate, at the speed of the scenario
-    let rated = ["half_space.rate.johnson_cook.c=0.03".to_owned()];
+    let rated = ["half_space.rate.johnson_cook.c=0.03".into()];
     let rated = Scenario::load(&scenario, &rated).unwrap().resolve().unwrap().contact().unwrap();
     let impact = rated.closed_form(3.0).unwrap();
     assert!(impact.row.strain_rate_result.unwrap().factor > 1.1);

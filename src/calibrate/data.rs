@@ -61,7 +61,7 @@ pub struct MeasurementRow {
 #[derive(Debug, Clone, Default)]
 pub struct MeasurementData {
     pub name: String,
-    pub keys: Vec<&'static NumericKey>,
+    pub keys: Vec<NumericKey>,
     /// The rows in the order of the file.
     pub rows: Vec<MeasurementRow>,
     /// The values, row after row.
@@ -173,11 +173,11 @@ impl MeasurementData {
         let measured = MeasuredQuantity::ALL
             .into_iter()
             .map(|one| (one.name().to_owned(), ColumnRole::Measured(one), one.quantity()));
-        let alias = |key: &NumericKey| match key.path.split_once('.') {
+        let alias = |key: NumericKey| match key.path().split_once('.') {
             Some(("impact", short)) => short.to_owned(),
-            _ => key.path.replace('.', "_"),
+            _ => key.path().replace('.', "_"),
         };
-        let keys = NUMERIC_KEYS.iter().enumerate().map(|(at, key)| (alias(key), ColumnRole::Key(at), key.quantity));
+        let keys = NUMERIC_KEYS.iter().enumerate().map(|(at, key)| (alias(*key), ColumnRole::Key(at), key.quantity()));
         let known = measured.chain([("indentation".to_owned(), ColumnRole::Indentation, &INDENTATION)]).chain(keys);
         let plain = base.replace('.', "_");
         let plain = plain.strip_prefix("impact_").unwrap_or(&plain);
@@ -215,7 +215,7 @@ impl MeasurementData {
             ColumnRole::Measured(quantity) if is_deviation => ColumnRole::Deviation(quantity),
             _ if is_deviation => return Err(format!("the column `{name}`: only measured quantities have an sd")),
             ColumnRole::Key(at) => {
-                self.keys.push(&NUMERIC_KEYS[at]);
+                self.keys.push(NUMERIC_KEYS[at]);
                 ColumnRole::Key(at)
             }
             role => role,
@@ -238,7 +238,7 @@ impl MeasurementData {
             let refuse = |message: String| format!("column {number}, `{}`: {message}", column.name);
             if field.is_empty() {
                 match column.role {
-                    ColumnRole::Key(at) if NUMERIC_KEYS[at].path.starts_with("impact.") => {
+                    ColumnRole::Key(at) if NUMERIC_KEYS[at].path().starts_with("impact.") => {
                         // the line before may have other measured values too, left and right of its interval
                         let is_interval = |value: &&MeasuredValue| {
                             value.row + 1 == row && value.quantity == MeasuredQuantity::BounceInterval

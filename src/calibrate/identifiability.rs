@@ -101,7 +101,7 @@ fn unidentifiable_message(
     direction: &DVector<f64>,
     change: f64,
 ) -> String {
-    let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
+    let names: Vec<&str> = problem.free.iter().map(|free| free.key.path()).collect();
     let off = format_percent(MODEL_ERROR);
     let statement = if let [name] = names[..] {
         format!("doubling {name} changes the predictions by only {} (model error {off})", format_percent(change))

@@ -99,7 +99,7 @@ impl CalibrationTask {
         // the limit is known if speed and gravity are not to be found
         let is_open = |path: &str| path.starts_with("impact.") || path.starts_with("gravity.");
         match self.problem().exceeding_value() {
-            Some((value, limit)) if !self.request.free.iter().any(|free| is_open(free.key.path)) => {
+            Some((value, limit)) if !self.request.free.iter().any(|free| is_open(free.key.path())) => {
                 let shown =
                     [value.value, limit].map(|value_of| format_input(value_of, value.quantity.quantity().dimension));
                 let [found, limit] = shown.map(|text| text.trim_end().to_owned());
@@ -262,7 +262,7 @@ fn reason_without_interval(fit: &Fit, identifiability: Option<&Identifiability>)
         let [low, high] = [low, high].map(|share| free.format_value(free.value_at_share(share), 4));
         return Some(format!(
             "every {} from {low} to {high} fits equally well, because the impacts are then elastic. Measure at higher speeds.",
-            free.key.path
+            free.key.path()
         ));
     }
     let message = match fit.noise {

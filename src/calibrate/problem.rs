@@ -114,7 +114,7 @@ impl<'a> CalibrationProblem<'a> {
 
     fn with_rows(mut self, rows: impl Iterator<Item = usize>) -> Self {
         let contacts: Vec<usize> =
-            (0..self.data.keys.len()).filter(|at| self.data.keys[*at].part.changes_contact()).collect();
+            (0..self.data.keys.len()).filter(|at| self.data.keys[*at].part().changes_contact()).collect();
         let most = if self.data.is_curve() { usize::MAX } else { CHUNK };
         let mut places: HashMap<Vec<u64>, usize> = HashMap::new();
         (self.batches, self.used_values) = (Vec::new(), Vec::new());
@@ -212,7 +212,7 @@ impl<'a> CalibrationProblem<'a> {
             let flying = input.free_flight().unwrap_or(FreeFlight::in_vacuum(input.drop_gravity()));
             let height = flying.rise_height(flying.take_off_speed((interval - in_contact).max(0.0)));
             for (key, _) in self.data.keys.iter().zip(keys).filter(|(_, value)| value.is_nan()) {
-                let is_height = key.path == "impact.drop_height";
+                let is_height = key.path() == "impact.drop_height";
                 key.set(input, Some(if is_height { height } else { flying.landing_speed(height) }));
             }
         }

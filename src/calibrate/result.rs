@@ -143,7 +143,7 @@ impl Calibration<'_> {
         } else {
             format_four_digits(unreached) + " times the value"
         };
-        let keys = self.keys.iter().map(|key| key.free.key.path).collect::<Vec<_>>().join(", ");
+        let keys = self.keys.iter().map(|key| key.free.key.path()).collect::<Vec<_>>().join(", ");
         (unreached > 1e-6).then(|| {
             format!(
                 "no value of {keys} in the search range reproduces the measurement with the law {law}; the best deviates by {off}"

@@ -12,6 +12,7 @@
 //! processes write the same file, the file of the last rename stays.
 
 mod atomic_file;
+pub(crate) mod parts_folder;
 pub mod progress;
 pub mod provenance;
 mod signature;
@@ -60,13 +61,13 @@ pub fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
 /// The error of a file that another program wrote.
 pub fn foreign_file_error(path: &Path) -> Error {
     let reason = "already exists and was not written by this program. Move the file, choose another --out, or use --force to replace it.";
-    Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
+    Error::for_path(path, reason)
 }
 
 /// The error of a result that would replace the file of the scenario, or a file that the scenario reads.
 fn input_error(path: &Path) -> Error {
     let reason = "this file belongs to the scenario, and the results would replace it. Choose another --out.";
-    Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
+    Error::for_path(path, reason)
 }
 
 /// The origin of results.
@@ -81,6 +82,8 @@ pub enum ResultOrigin<'a> {
         overrides_sha256: Option<&'a str>,
         /// The files that the scenario names.
         reads: &'a [&'a Path],
+        /// True for a table, which goes on from its parts in the directory.
+        is_table: bool,
     },
     /// A command that needs no scenario.
     Command(&'static str),
@@ -118,7 +121,7 @@ impl OutputDirectory {
     ///
     /// # Errors
     /// [`Error`] if it cannot be made, is a file, or takes no files; if it holds results of another scenario or with other
-    /// overrides, or a summary of another program.
+    /// overrides, a summary of another program, or parts of a table.
     pub fn prepare(path: &Path, origin: ResultOrigin, is_forced: bool) -> Result<Self, Error> {
         let refuse = unwritable_error(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
@@ -142,6 +145,9 @@ impl OutputDirectory {
         directory.created.iter().try_for_each(|made| sync_folder(parent_folder(made))).map_err(&refuse)?;
         drop(AtomicFile::create(&path.join("trial")).map_err(&refuse)?);
         directory.earlier_results = directory.read_earlier_results(origin)?;
+        if matches!(origin, ResultOrigin::File { is_table: false, .. }) {
+            directory.clear_parts()?;
+        }
         Ok(directory)
     }
 
@@ -196,7 +202,7 @@ impl OutputDirectory {
     }
 
     fn refusal_error(&self, reason: &str) -> Error {
-        Error::for_file(ErrorKind::Input, &self.path.display().to_string(), reason)
+        Error::for_path(&self.path, reason)
     }
 
     pub fn path(&self) -> &Path {

@@ -18,6 +18,8 @@ pub struct ResultSpec<T> {
     /// The name on the terminal, or a remark that the terminal appends to the line above. In a remark `{}` is replaced by the value,
     /// and `{%}` by the value in percent of the value of that line. Empty: the terminal does not show the result.
     pub label: &'static str,
+    /// True if a brief answer shows it.
+    pub is_brief: bool,
     /// `None` if the result is omitted.
     pub value: fn(&T) -> Option<Value>,
     /// The column of a table with this result.
@@ -155,13 +157,14 @@ pub(crate) const GIVEN: &str = "the scenario gives it for this step";
 /// A list of results from its entries.
 macro_rules! result_specs {
     (|$subject:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
-        $(in $shown:ident)? $(as $label:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? $(: $value:expr)?;)+) => {
+        $(in $shown:ident)? $(as $label:literal)? $(briefly $brief:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? $(: $value:expr)?;)+) => {
         vec![$($crate::results::entry::ResultSpec::<$type> {
             name: $name,
             description: concat!($($about),+).trim_ascii_start(),
             format: result_specs!(@shown $($shown)?),
             condition: result_specs!(@condition [$($condition)?] [$($needs)?]),
-            label: concat!($($label)?),
+            label: concat!($($label)? $($brief)?),
+            is_brief: !concat!($($brief)?).is_empty(),
             #[allow(unused_variables)] // a result of tables alone has no value here
             value: |$subject| result_specs!(@value $subject [$($condition)?] [$($needs, $column)?] [$($value)?]),
             column: result_specs!(@column $($name, $needs, $column)?),

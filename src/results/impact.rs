@@ -100,12 +100,12 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
     result_specs! { |single: SingleImpact<'a>|
         /// Coefficient of restitution e: relative normal speed after the impact over relative normal speed before the impact;
         /// `null` for a sphere that is released at first contact.
-        "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
+        "restitution" briefly "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
         /// Both ends of the uncertainty interval (95 %) of the measured restitution: of `restitution_with_waves` if the half-space
         /// has a density, otherwise of `restitution`. Known biases move both ends; scatter is added as squares.
         "restitution_interval" if INTERVAL: single.interval.map(|interval| vec![interval.low, interval.high]);
         /// Interval and its parts as text.
-        "restitution_interval_text" as "({})" if INTERVAL: single.interval.map(RestitutionInterval::to_text);
+        "restitution_interval_text" briefly "({})" if INTERVAL: single.interval.map(RestitutionInterval::to_text);
         /// Parts of the interval: `name`, `kind` (`shift`, `width` or `not_included`), `low` and `high` as ratios to e, minus 1.
         "restitution_interval_parts" if INTERVAL: single.interval.map(|interval| json!(interval.parts));
         /// Lower end of the interval.
@@ -129,7 +129,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Energy radiated as elastic waves, to first order, over the kinetic energy of the motion normal to the half-space.
         "wave_loss_fraction" in Percent as "wave loss" [Density: |row| row.wave_loss_fraction];
         /// Restitution reduced by the energy of elastic waves; 0 if the waves would absorb all recovered energy.
-        "restitution_with_waves" as "restitution with waves" [Density: ImpactRow::restitution_with_waves];
+        "restitution_with_waves" briefly "restitution with waves" [Density: ImpactRow::restitution_with_waves];
         /// Normal speed of the sphere at separation; negative if the sphere continues in the direction of the impact (free target).
         "rebound_speed_m_per_s" in Speed as "rebound speed": single.impact.rebound_speed;
         /// Speed of the target after the impact, in the direction of the impact.
@@ -139,7 +139,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Spin of the target, in the direction of a sphere that rolls forward.
         "target_spin_rad_per_s" in AngularSpeed as "spin {}" [Struck: |row| target_value(row, 1)];
         /// Height of the rebound, with waves and air if the scenario has them.
-        "rebound_height_m" in Length as "rebound height" [Flight: |row| row.rebound_height];
+        "rebound_height_m" in Length briefly "rebound height" [Flight: |row| row.rebound_height];
         /// Fraction of the drop energy m g h that the air absorbs by drag and buoyancy.
         "air_loss_fraction" in Percent as "air absorbed {} of the drop energy" if AIR: single.flight_in_air().and_then(|flying| {
             // near the terminal speed the height cannot be found from the speed
@@ -151,7 +151,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Terminal speed: the drag equals the weight.
         "terminal_speed_m_per_s" in Speed if AIR: single.flight_in_air().map(|flying| flying.terminal_speed());
         /// Angle of the rebound from the normal, in degrees; negative if the tangential velocity reverses.
-        "rebound_angle_deg" as "rebound angle (deg)" [Incidence: |row| rebound_value(row, |after| after.angle.to_degrees())];
+        "rebound_angle_deg" briefly "rebound angle (deg)" [Incidence: |row| rebound_value(row, |after| after.angle.to_degrees())];
         /// Tangential speed of the sphere's centre after the impact over the tangential speed before; `null` for a normal impact.
         "tangential_restitution" as "tangential restitution"
             [Incidence: |row| rebound_value(row, |after| after.tangential_restitution)];
@@ -182,12 +182,12 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Estimated numerical error of -s_1/s_0, by halving the steps; 0 for gross sliding.
         "friction_error" in Error [Incidence: |row| rebound_value(row, |after| after.error)];
         /// Time from first contact to separation; `null` for a captured sphere.
-        "contact_time_s" in Time as "contact time"
+        "contact_time_s" in Time briefly "contact time"
             [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)];
         /// Time from first contact to the maximum indentation.
         "loading_time_s" in Time as "compression {}": single.impact.loading_time;
         /// Maximum contact force.
-        "peak_force_N" in Force as "peak force" [Nothing: |row| Some(row.peak_force)];
+        "peak_force_N" in Force briefly "peak force" [Nothing: |row| Some(row.peak_force)];
         /// Maximum indentation: the approach of the two bodies.
         "peak_indentation_m" in Length as "peak indentation" [Nothing: |row| Some(row.peak_indentation)];
         /// Part of the maximum indentation in the sphere, including its permanent flat; 0 for a rigid sphere.
@@ -204,14 +204,14 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Part of the maximum indentation that is recovered on unloading.
         "elastic_approach_m" in Length: single.impact.elastic_approach;
         /// Residual indentation: dent depth plus flat depth; 0 without permanent deformation.
-        "residual_indentation_m" in Length as "dent depth" [Strength: |row| Some(row.residual_indentation)];
+        "residual_indentation_m" in Length briefly "dent depth" [Strength: |row| Some(row.residual_indentation)];
         /// Dent depth in the half-space. If both bodies yield, the split between dent and flat is an estimate, validated up to a/R
         /// = 0.11.
         "dent_depth_m" in Length as "dent {}" [Flat: |row| Some(row.dent_depth())];
         /// Depth of the flat on the sphere.
         "flat_depth_m" in Length as "flat on the sphere {}" [Flat: |row| Some(row.flat_depth)];
         /// Diameter of the flat on the sphere: twice the maximum contact radius; `null` without a flat.
-        "flat_diameter_m" in Length as "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
+        "flat_diameter_m" in Length briefly "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
         /// Body that yields: `half_space`, `sphere`, `both`, or `none`.
         "yielding_body" as "yielding body" if FLATTENS: single.if_sphere_yields(single.yielding_body());
         /// Effective radius of the contact on unloading.
@@ -219,7 +219,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Radius of curvature of the dent; `null` without a dent.
         "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: single.if_yields(single.impact.residual_radius);
         /// Diameter of the rim of the dent: twice the maximum contact radius; `null` without a dent.
-        "dent_diameter_m" in Length as "dent diameter"
+        "dent_diameter_m" in Length briefly "dent diameter"
             [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
         /// Impact speed above which a body yields.
         "yield_speed_m_per_s" in Speed as "yield speed" if REACHES: single.at_first_yield(single.contact.yield_speed());

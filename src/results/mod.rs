@@ -7,7 +7,7 @@
 //! * what the result means, in one sentence;
 //! * its name. The name ends in the unit; in JSON, the part before a dot is the name of a group;
 //! * `in` and its dimension, or how its number is shown: [`NumberFormat`];
-//! * `as` and a label, for a result that the terminal shows;
+//! * `as` and a label, for a result that the terminal shows; `briefly` and a label, for one that a brief answer shows too;
 //! * `if` and a condition, for a result that is not always there. A result without a condition is always there: as `null` (in
 //!   CSV as an empty field) where its value is not finite or `None`;
 //! * its value; for a result of an impact that is also a column of tables: in brackets what it needs, and how a row gives it.
@@ -22,6 +22,9 @@ pub(crate) use entry::result_specs;
 pub use entry::{NumberFormat, Requirement, ResultColumn, ResultSpec, TABLES, to_field_list, to_fields};
 
 use crate::units::Dimension;
+
+/// The result that most people ask for; a table always has it.
+pub const RESTITUTION: &str = "restitution";
 
 /// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
 pub fn result_columns() -> Vec<ResultColumn> {

@@ -8,6 +8,8 @@ pub mod key_docs;
 pub mod keys;
 mod kind;
 pub mod kinds;
+mod no_result;
+mod origin;
 #[doc(hidden)]
 pub mod plan;
 pub(crate) mod rules;
@@ -20,17 +22,19 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
-use crate::impact::Warning;
+use crate::impact::{Contact, ImpactError, Warning};
 use crate::scenario::plan::AxisSetting;
-pub use document::{Document, MAX_DATA_MIB, MAX_SCENARIO_MIB, read_open_file, read_text};
+pub use document::{Document, MAX_DATA_MIB, MAX_SCENARIO_MIB, Override, read_open_file, read_text};
 use input::reader::{Reader, as_table};
 use input::{
-    ALTERNATIVES, Body, BodyMaterial, Input, N_BODY_KEYS, N_SPHERE_KEYS, REQUIRED_KEYS, RunKind, alternative_to,
-    unused_reason, without_axis_table as varied_key,
+    ALTERNATIVES, Body, Input, N_BODY_KEYS, N_SPHERE_KEYS, REQUIRED_KEYS, alternative_to,
+    without_axis_table as varied_key,
 };
 use keys::{ALL_KEYS, key};
 pub use kind::{Kind, TEMPLATES};
+pub use no_result::no_result_error;
 use plan::varied::VariedKeys;
+pub use rules::effect::Facts;
 pub use source::ScenarioSource;
 
 /// A parsed and checked scenario.
@@ -49,6 +53,9 @@ pub struct Scenario {
     pub from_results: Option<String>,
 }
 
+/// An input that fulfils all rules, and its contact, or why there is none.
+pub type CheckedInput = (Input, Result<Contact, ImpactError>);
+
 const NEEDS_GRAVITY_TEXT: &str =
     "drop_height = 0 requires [gravity]. Add [gravity] with acceleration = \"9.81 m/s^2\", or give a height above 0.";
 
@@ -57,14 +64,14 @@ const DATA_KEY: &str = "calibrate.data";
 
 impl Scenario {
     /// Reads a scenario file, with `key=value` overrides.
-    pub fn load(path: &Path, overrides: &[String]) -> Result<Self, Error> {
+    pub fn load(path: &Path, overrides: &[Override]) -> Result<Self, Error> {
         let text = document::read_text(path, MAX_SCENARIO_MIB)?;
         let directory = path.parent().unwrap_or(Path::new("")).to_owned();
         Self::new(path.display().to_string(), text, overrides, directory, BTreeMap::new())
     }
 
     /// Parses a scenario from a text; `name` stands for the file in messages.
-    pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, Error> {
+    pub fn from_text(name: &str, text: &str, overrides: &[Override]) -> Result<Self, Error> {
         Self::new(name.to_owned(), text.to_owned(), overrides, PathBuf::new(), BTreeMap::new())
     }
 
@@ -72,7 +79,7 @@ impl Scenario {
     fn new(
         name: String,
         text: String,
-        overrides: &[String],
+        overrides: &[Override],
         directory: PathBuf,
         mut texts: BTreeMap<String, String>,
     ) -> Result<Self, Error> {
@@ -116,29 +123,22 @@ impl Scenario {
         mistakes.extend(scenario.check_combinations());
         // a misspelt key, or a value of a misspelt material, is not also reported as missing
         if !has_unknown {
-            let needed = match scenario.kind() {
-                // an impact checks for all needed keys when it is resolved, unless the scenario has to change anyway
-                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if mistakes.is_empty() => 0,
-                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => REQUIRED_KEYS.len() - 1,
-                Ok(Kind::Indentation) if !scenario.has_key("half_space") => N_SPHERE_KEYS,
-                Ok(Kind::Indentation | Kind::Calibrate) => N_BODY_KEYS,
-                Err(_) => N_SPHERE_KEYS,
-            };
+            let needed = scenario.needed_while_reading(mistakes.is_empty());
             mistakes.extend(scenario.missing_keys(&REQUIRED_KEYS[..needed]));
         }
         Error::combine(mistakes).map_or(Ok(scenario), Err)
     }
 
-    /// True if the scenario, or a named material, gives a key, or if the scenario has a table.
-    fn has_key(&self, path: &str) -> bool {
-        let is_taken =
-            || self.input.materials().iter().flat_map(BodyMaterial::known_values).any(|(given, _)| given == path);
-        self.document.contains(path) || is_taken()
-    }
-
-    /// True if a key varies over the cases of a table, or is a free key of a calibration.
-    fn is_varied(&self, path: &str) -> bool {
-        self.variation.paths().contains(&path)
+    /// How many of [`REQUIRED_KEYS`] are asked for while the scenario is read. An impact asks for its keys when it is resolved,
+    /// unless the scenario has to change anyway.
+    fn needed_while_reading(&self, is_correct: bool) -> usize {
+        match self.kind() {
+            Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if is_correct => 0,
+            Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => REQUIRED_KEYS.len() - 1,
+            Ok(Kind::Indentation) if !self.origin("half_space").is_given => N_SPHERE_KEYS,
+            Ok(Kind::Indentation | Kind::Calibrate) => N_BODY_KEYS,
+            Err(_) => N_SPHERE_KEYS,
+        }
     }
 
     /// Refuses a scenario that lacks one of these keys.
@@ -153,11 +153,15 @@ impl Scenario {
             ALTERNATIVES.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
         };
         let (mut missing, mut tables) = (Vec::new(), Vec::new());
-        for group in keys.iter().map(group).filter(|group| !group.iter().any(|path| self.is_given_or_varies(path))) {
+        for group in
+            keys.iter().map(group).filter(|group| !group.iter().any(|path| self.origin(path).is_given_or_varies()))
+        {
             let (table, _) = group[0].split_once('.').unwrap_or_default();
             // a body needs more keys than the varied one, and so its table
             let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
-            if self.has_key(table) || self.variation.paths().iter().any(|path| table == "impact" && in_table(path)) {
+            if self.origin(table).is_given
+                || self.variation.paths().iter().any(|path| table == "impact" && in_table(path))
+            {
                 missing.push(self.document.missing_any_key(table, &group, ""));
             } else if !tables.contains(&table) {
                 tables.push(table);
@@ -174,19 +178,31 @@ impl Scenario {
 
     /// The input of the first impact, with all keys that an impact needs.
     pub fn resolve(&self) -> Result<Input, Error> {
+        self.check_impact().map(|(input, _)| input)
+    }
+
+    /// The input of the first impact, and its contact.
+    pub fn checked(&self) -> Result<(Input, Contact), Error> {
+        let (input, contact) = self.check_impact()?;
+        contact.map_err(|reason| no_result_error(self, &reason)).map(|contact| (input, contact))
+    }
+
+    /// The input of a scenario that needs no impact, and its contact. The speed is NaN if it is not given.
+    pub fn checked_bodies(&self) -> Result<CheckedInput, Error> {
+        self.check_input(REQUIRED_KEYS.len() - 1)
+    }
+
+    fn check_impact(&self) -> Result<CheckedInput, Error> {
         self.check_speeds()?;
-        self.checked_input(if self.shot_speeds().is_some() { REQUIRED_KEYS.len() - 1 } else { REQUIRED_KEYS.len() })
+        self.check_input(if self.shot_speeds().is_some() { REQUIRED_KEYS.len() - 1 } else { REQUIRED_KEYS.len() })
     }
 
-    /// The input of a scenario that needs no impact: its speed is NaN if it is not given.
-    pub fn resolve_bodies(&self) -> Result<Input, Error> {
-        self.checked_input(REQUIRED_KEYS.len() - 1)
-    }
-
-    /// The input of the first case, in which the first `needed` keys of [`REQUIRED_KEYS`] must be given.
-    fn checked_input(&self, needed: usize) -> Result<Input, Error> {
+    /// The input of the first case, in which the first `needed` keys of [`REQUIRED_KEYS`] must be given, and its contact. A table
+    /// may have cases without a contact.
+    fn check_input(&self, needed: usize) -> Result<CheckedInput, Error> {
         self.require(&REQUIRED_KEYS[..needed])?;
         let input = self.first_case();
+        let contact = input.contact();
         let does_not_fall = input.speed() == 0.0 && input.forces().gravity.is_none();
         let fall = if does_not_fall {
             Err(self.refusal_where_varied("impact.drop_height", NEEDS_GRAVITY_TEXT))
@@ -196,13 +212,13 @@ impl Scenario {
         let checked = [
             self.check_flow(&input),
             fall,
-            self.check_target(&input),
-            self.check_plate(&input),
+            self.check_target(&input, &contact),
+            self.check_plate(&contact),
             self.check_air(&input),
             self.check_strength(&input),
             self.check_rates(&input),
         ];
-        Error::combine(checked.into_iter().filter_map(Result::err).collect()).map_or(Ok(input), Err)
+        Error::combine(checked.into_iter().filter_map(Result::err).collect()).map_or(Ok((input, contact)), Err)
     }
 
     /// The input with the first value of every varied key: of its axis or range, of a list of shots, or the median of its distribution.
@@ -227,9 +243,9 @@ impl Scenario {
 
     /// Warnings about given keys that have no effect on the results of these inputs. Such keys are allowed, as the file may also be run
     /// in another way. Needed keys get no warning.
-    pub fn unused_key_warnings(&self, inputs: &[Input], purpose: RunKind) -> Vec<Warning> {
-        let needed =
-            if purpose == RunKind::Impact { &REQUIRED_KEYS[..] } else { &REQUIRED_KEYS[..REQUIRED_KEYS.len() - 2] };
+    pub fn unused_key_warnings(&self, inputs: &[Input], kind: Kind) -> Vec<Warning> {
+        let facts = Facts { inputs, kind, varied: &[] };
+        let needed = if kind == Kind::Impact { &REQUIRED_KEYS[..] } else { &REQUIRED_KEYS[..REQUIRED_KEYS.len() - 2] };
         let is_needed =
             |path: &str| [Some(path), alternative_to(path)].into_iter().flatten().any(|key| needed.contains(&key));
         let keys = ALL_KEYS
@@ -237,6 +253,6 @@ impl Scenario {
             .map(|key| key.path)
             .filter(|path| !path.starts_with("law.") && self.document.contains(path));
         let given = keys.chain(self.document.keys_below("law.")).filter(|path| !is_needed(path));
-        given.filter_map(|path| Some(Warning::unused_key(path, unused_reason(path, inputs, purpose)?))).collect()
+        given.filter_map(|path| Some(Warning::unused_key(path, facts.why_unused(path)?))).collect()
     }
 }

@@ -157,7 +157,7 @@ fn bounded_schema(kind: &str, quantity: &Quantity) -> Value {
 fn varied_keys_schema(form: impl Fn(&Value) -> Value) -> Value {
     let mut schema = empty_table_schema();
     for key in NUMERIC_KEYS.iter() {
-        schema["properties"][key.path] = form(&quantity_reference(key.quantity));
+        schema["properties"][key.path()] = form(&quantity_reference(key.quantity()));
     }
     schema
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::keys::key;
-use super::{DATA_KEY, Scenario};
+use super::{DATA_KEY, Override, Scenario};
 use crate::error::Error;
 use crate::files::{FORMAT_VERSION, Provenance, RESULTS_VERSION, VERSION, hex};
 
@@ -55,7 +55,8 @@ impl Scenario {
 
     /// Reads a scenario from its texts; `name` stands for the file in messages.
     pub fn from_source(name: &str, source: &ScenarioSource) -> Result<Self, Error> {
-        Self::new(name.to_owned(), source.text.clone(), &source.overrides, PathBuf::new(), source.files.clone())
+        let overrides = Override::list(&source.overrides);
+        Self::new(name.to_owned(), source.text.clone(), &overrides, PathBuf::new(), source.files.clone())
     }
 
     /// Takes measurements that are known without the file `calibrate.data`.

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-/// Lines of cells, each column as wide as its widest cell. Columns whose number `defaults_to_material` are aligned at the left,
-/// others at the right.
+/// Lines of cells, each column as wide as its widest cell. Columns whose number `is_left` accepts are
+/// aligned at the left, others at the right.
 pub fn align_columns<R: AsRef<[String]>>(rows: &[R], is_left: impl Fn(usize) -> bool) -> String {
     let mut widths: Vec<usize> = Vec::new();
     for row in rows {

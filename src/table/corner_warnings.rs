@@ -32,29 +32,16 @@ pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> CornerWarnings {
     let axes = if plan.is_monte_carlo() { &tails } else { plan.axes() };
     let ends: Vec<Vec<u64>> = axes.iter().map(extreme_indices).collect();
     let all = ends.iter().map(|ends| ends.len() as u64).fold(1, u64::saturating_mul);
-    let chosen: Vec<Vec<u64>> = if all <= MAX_CORNERS {
-        (0..all).map(|number| corner_indices(&ends, number)).collect()
-    } else {
-        // the same in every run; an end of an axis is in so large a sample many times
-        let mut random = ChaCha8Rng::seed_from_u64(0);
-        (0..MAX_CORNERS).map(|_| corner_indices(&ends, random.next_u64())).collect()
-    };
     // where no axis changes the contact, one serves all corners
     let is_one = axes.iter().all(SweepAxis::is_contact_constant);
-    let own = if is_one && known.is_none() { plan.input.contact().ok() } else { None };
-    let shared = known.or(own.as_ref()).filter(|_| is_one);
+    let shared = if is_one { known.cloned().or_else(|| plan.input.contact().ok()) } else { None };
     let mut worst: Vec<(Warning, String)> = Vec::new();
     let mut has_dent = false;
-    for places in chosen {
+    for places in chosen_corners(&ends, all) {
         let mut input = plan.input.clone();
         apply_axes(axes, &places, &mut input);
-        let impact = shared.map_or_else(
-            || {
-                let contact = input.contact().ok()?;
-                impact(&contact, &input)
-            },
-            |contact| impact(contact, &input),
-        );
+        let own = if shared.is_none() { input.contact().ok() } else { None };
+        let impact = shared.as_ref().or(own.as_ref()).and_then(|contact| impact(contact, &input));
         has_dent |= impact.as_ref().is_some_and(|impact| impact.row.has_dent());
         let of_impact = impact.map_or_else(Vec::new, |impact| impact.warnings);
         for warning in of_impact.into_iter().chain(input.flight_warnings()) {
@@ -71,6 +58,15 @@ pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> CornerWarnings {
         ));
     }
     CornerWarnings { warnings, has_dent }
+}
+
+/// All corners, or a sample of them that is the same in every run; an end of an axis is in so large a sample many times.
+fn chosen_corners(ends: &[Vec<u64>], all: u64) -> Vec<Vec<u64>> {
+    if all <= MAX_CORNERS {
+        return (0..all).map(|number| corner_indices(ends, number)).collect();
+    }
+    let mut random = ChaCha8Rng::seed_from_u64(0);
+    (0..MAX_CORNERS).map(|_| corner_indices(ends, random.next_u64())).collect()
 }
 
 /// The corner of this number; beyond the last corner they begin again.

@@ -184,7 +184,7 @@ impl<'a> Evaluator<'a> {
                 }
             }
             Cases::MonteCarlo { variables, .. } => {
-                if variables.iter().any(|variable| variable.key.part.changes_contact()) {
+                if variables.iter().any(|variable| variable.key.part().changes_contact()) {
                     combinations = u64::MAX;
                 }
             }
@@ -283,7 +283,7 @@ impl<'a> Evaluator<'a> {
             .zip(variables)
             .map(|(stream, variable)| VariableSampler::new(variable, seed, stream, cases.start))
             .collect();
-        let keys: Vec<&NumericKey> = variables.iter().map(|variable| variable.key).collect();
+        let keys: Vec<NumericKey> = variables.iter().map(|variable| variable.key).collect();
         self.append_each(&keys, cases, rows, |place, _, swept| {
             let value = draws[place].next_value();
             swept.push(value);
@@ -294,8 +294,8 @@ impl<'a> Evaluator<'a> {
     /// Appends the results of listed cases; every key comes with one value for each case. The keys are axes of the
     /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
     /// values only yield strengths that follow from the keys are appended.
-    pub fn append_rows_with_values(&self, keys: &[(&NumericKey, &[f64])], cases: Range<usize>, rows: &mut Rows) {
-        let only_keys: Vec<&NumericKey> = keys.iter().map(|(key, _)| *key).collect();
+    pub fn append_rows_with_values(&self, keys: &[(NumericKey, &[f64])], cases: Range<usize>, rows: &mut Rows) {
+        let only_keys: Vec<NumericKey> = keys.iter().map(|(key, _)| *key).collect();
         self.append_each(&only_keys, cases, rows, |place, case, _| keys[place].1[case]);
     }
 
@@ -303,19 +303,19 @@ impl<'a> Evaluator<'a> {
     /// a case, and may add it to the swept values.
     fn append_each<C: Copy>(
         &self,
-        keys: &[&NumericKey],
+        keys: &[NumericKey],
         cases: impl Iterator<Item = C>,
         rows: &mut Rows,
         mut value: impl FnMut(usize, C, &mut Vec<f64>) -> f64,
     ) {
         let mut input = self.plan.input.clone();
         let mut own: Option<RowContact> = None;
-        let mut row_law = RowLaw::new(&input, keys.iter().any(|key| key.part.changes_law()), self.has_interval);
-        let is_one = !keys.iter().any(|key| key.part.changes_contact());
+        let mut row_law = RowLaw::new(&input, keys.iter().any(|key| key.part().changes_law()), self.has_interval);
+        let is_one = !keys.iter().any(|key| key.part().changes_contact());
         for case in cases {
             for (place, key) in keys.iter().enumerate() {
                 let new = Some(value(place, case, &mut rows.axis_values));
-                if key.part.changes_contact() && key.get(&input) != new {
+                if key.part().changes_contact() && key.get(&input) != new {
                     own = None;
                 }
                 key.set(&mut input, new);

@@ -5,31 +5,31 @@
 //! threads, shards and interruptions do not change the table: a part is there as a whole or not at all, and a run computes
 //! the parts that are missing ([`job`]). Memory does not grow with the number of rows.
 
+pub mod chunks;
 pub mod corner_warnings;
 pub mod evaluator;
 pub mod format;
 pub mod job;
+mod missing_parts;
 pub mod parts;
 pub mod shard;
 pub mod statistics;
+pub(crate) mod table_files;
 pub mod tally;
 
+pub use chunks::compute_rows;
 pub use evaluator::{Evaluator, RowFailure, Rows};
 pub use format::Format;
-pub use job::{FinishedTable, TableJob};
+pub use job::FinishedTable;
 pub use parts::PartLayout;
 pub use shard::Shard;
+pub use table_files::TableJob;
 pub use tally::{Tally, classify};
 
 use std::io;
 use std::path::Path;
 
 use crate::error::{Error, ErrorKind};
-
-/// Makes an error from that of the file system, for `map_err`. The parts written so far stay.
-pub(crate) fn file_error(problem: &'static str, path: &Path) -> impl Fn(io::Error) -> Error {
-    Error::from_io(ErrorKind::Failed, path, problem, "")
-}
 
 /// The error of a table that cannot be written.
 pub(crate) fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
@@ -39,9 +39,4 @@ pub(crate) fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
         "cannot be written",
         "free space on the disk, then run the same command again",
     )
-}
-
-/// The error for a file that prevents writing, with the remedy.
-pub(crate) fn blocked_file_error(path: &Path, problem: impl std::fmt::Display) -> Error {
-    Error::for_file(ErrorKind::Input, &path.display().to_string(), problem)
 }

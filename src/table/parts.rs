@@ -1,8 +1,6 @@
 //! The division of a table into parts, and the file that identifies the table of the parts in a folder.
 
-use std::ffi::{OsStr, OsString};
 use std::ops::Range;
-use std::path::Path;
 use std::{fs, io};
 
 use serde::Serialize;
@@ -10,9 +8,9 @@ use serde_json::Value;
 
 use super::format::Format;
 use super::shard::Shard;
-use super::{blocked_file_error, file_error};
 use crate::error::Error;
-use crate::files::{FORMAT_VERSION, OutputDirectory, RESULTS_VERSION, VERSION, create, remove, remove_folder};
+use crate::files::parts_folder::{IDENTITY_FILE, PARTS_FOLDER, file_error};
+use crate::files::{FORMAT_VERSION, OutputDirectory, RESULTS_VERSION, VERSION, create};
 use crate::scenario::ScenarioSource;
 use crate::scenario::plan::Plan;
 
@@ -20,11 +18,6 @@ use crate::scenario::plan::Plan;
 pub const MAX_PARTS_OF_ONE_FILE: u64 = 16;
 /// CSV is joined to one file up to this number of rows.
 pub const MAX_JOINED_ROWS: u64 = 10_000_000;
-/// The folder of the parts, beside the summary.
-pub const PARTS_FOLDER: &str = "parts";
-/// The file that identifies the table.
-pub const IDENTITY_FILE: &str = "_table.json";
-
 /// The maximum number of rows of a part.
 const MAX_ROWS_PER_PART: u64 = 1 << 18;
 /// The maximum number of parts: a folder with more files is slow.
@@ -69,48 +62,6 @@ impl PartLayout {
     }
 }
 
-/// The names in a folder; none if there is no such folder.
-fn names_in(folder: &Path) -> Result<Vec<OsString>, Error> {
-    let names = match fs::read_dir(folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
-        entries => entries.and_then(|entries| entries.map(|entry| entry.map(|entry| entry.file_name())).collect()),
-    };
-    names.map_err(file_error("cannot be read", folder))
-}
-
-fn is_part(name: impl AsRef<OsStr>) -> bool {
-    name.as_ref().as_encoded_bytes().starts_with(b"part-")
-}
-
-/// Clears the folder for other results if a table was begun in parts there: an error, or the parts are removed by force.
-pub fn clear_parts(directory: &OutputDirectory) -> Result<(), Error> {
-    let (folder, identity) = (directory.path().join(PARTS_FOLDER), directory.path().join(IDENTITY_FILE));
-    let names = names_in(&folder)?;
-    if !directory.is_forced() && names.iter().any(is_part) {
-        return Err(blocked_file_error(
-            &folder,
-            "contains parts of a table. Choose another --out, or use --force to delete them.",
-        ));
-    }
-    if identity.exists() || !names.is_empty() {
-        remove_parts(directory)?;
-    }
-    remove(&identity).map_err(file_error("cannot be removed", &identity))
-}
-
-/// Removes the parts of a table, and their folder. Files of others in that folder stay, and then the folder stays too.
-pub fn remove_parts(directory: &OutputDirectory) -> Result<(), Error> {
-    let folder = directory.path().join(PARTS_FOLDER);
-    directory.check_removable(&folder)?;
-    let names = names_in(&folder)?;
-    let is_own = |name: &&OsString| is_part(name) || name.as_encoded_bytes().starts_with(b".part-");
-    if names.iter().all(|name| is_own(&name)) {
-        return remove_folder(&folder).map_err(file_error("cannot be removed", &folder));
-    }
-    let mut parts = names.iter().filter(is_own).map(|name| folder.join(name));
-    parts.try_for_each(|part| remove(&part).map_err(file_error("cannot be removed", &part)))
-}
-
 /// The description of the table to which the parts in a folder belong. Tables with equal descriptions have the same bytes.
 #[derive(Debug, Serialize)]
 pub struct TableIdentity {
@@ -150,8 +101,8 @@ impl TableIdentity {
         if there.as_ref().is_ok_and(|there| *there == self.to_text()) {
             return Ok(true);
         }
-        if directory.is_forced() || !names_in(&folder)?.iter().any(is_part) {
-            clear_parts(directory)?;
+        if directory.is_forced() || !directory.has_parts()? {
+            directory.clear_parts()?;
             return Ok(false);
         }
         let difference = match there {
@@ -162,7 +113,7 @@ impl TableIdentity {
             Err(error) => return Err(file_error("cannot be read", &path)(error)),
         };
         let way_out = "Resume with the original command, choose another --out, or use --force to start over.";
-        Err(blocked_file_error(&folder, format!("these parts are {difference}. {way_out}")))
+        Err(Error::for_path(&folder, format!("these parts are {difference}. {way_out}")))
     }
 
     /// Writes it into a folder that has none.
@@ -173,7 +124,7 @@ impl TableIdentity {
         let path = directory.path().join(IDENTITY_FILE);
         match create(&path, self.to_text().as_bytes()) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match fs::read_to_string(&path) {
-                Ok(there) if there != self.to_text() => Err(blocked_file_error(
+                Ok(there) if there != self.to_text() => Err(Error::for_path(
                     &path,
                     format!("another process has begun a table {}", self.difference(&there)),
                 )),

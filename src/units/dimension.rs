@@ -52,6 +52,12 @@ impl Dimension {
         self.spec()[1]
     }
 
+    /// True if SI prefixes stand before this unit: the SI unit of a dimension, which has no prefix yet and is no inverse.
+    pub fn is_prefixed(unit: &str) -> bool {
+        let is_plain = |dimension: &&Self| !dimension.si_unit().is_empty() && !dimension.si_unit().starts_with("kg");
+        Self::ALL.iter().filter(is_plain).any(|dimension| dimension.si_unit() == unit)
+    }
+
     /// The end of the name of a column or a result in this unit: `_m_per_s`; empty for a plain number.
     pub fn suffix(self) -> &'static str {
         self.spec()[2]

@@ -117,16 +117,15 @@ const INDENTATIONS: [IndentationPart; 3] = [
 
 /// Force against indentations of a whole impact (Fig. 12 of Xie et al. 2024).
 fn impact(case: &dynamic::DynamicCase) -> Picture {
-    let (mut series, mut of_sphere) = (Vec::new(), Vec::new());
+    let mut series = Vec::new();
     for (i, (name, column, of_row)) in INDENTATIONS.into_iter().enumerate() {
         let samples = case.samples.iter().step_by(MARKER_STRIDE);
         let points = samples.map(|sample| (sample.number(column), sample.number("force_N")));
-        let mut drawn = vec![Series::points(name, points.collect()).with_style(i)];
+        series.push(Series::points(name, points.collect()).with_style(i));
         for (which, impact) in case.impacts.iter().enumerate() {
             let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
-            drawn.push(Series::line("", curve).with_style(Style::new(i).with_line_of_branch(which)));
+            series.push(Series::line("", curve).with_style(Style::new(i).with_line_of_branch(which)));
         }
-        if i == 1 { of_sphere = drawn } else { series.extend(drawn) }
     }
     let mut notes = vec!["points: finite elements".to_owned(), "Restitution".to_owned()];
     notes.push(format!("  finite elements: {:.4}", case.reference.number("restitution")));
@@ -137,8 +136,7 @@ fn impact(case: &dynamic::DynamicCase) -> Picture {
     let axes = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
     let (name, slug) = (case.reference.cell_text("case"), case.reference.cell_text("case").to_lowercase());
     let title = format!("Impact {name} at {}", format_result(case.impacts[0].speed, Dimension::Speed));
-    let chart = Chart::new(title, axes, series).with_side_panel(Axis::linear("of the sphere", "m"), of_sphere);
-    let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
+    let chart = Chart::new(title, axes, series).with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
     (format!("impact-{slug}-force-indentation"), chart)
 }
 

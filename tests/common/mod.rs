@@ -17,8 +17,8 @@ use plm_impact::impact::solve::closed_form;
 use plm_impact::impact::{Contact, Impact, ImpactError, Method, ScaledForces, ScaledResult, Solver, Spot};
 use plm_impact::numerics::ode::{IntegrationError, SolverStats};
 use plm_impact::numerics::power::nan_max;
-use plm_impact::scenario::Scenario;
 use plm_impact::scenario::input::Input;
+use plm_impact::scenario::{Override, Scenario};
 use plm_impact::table::evaluator::{Evaluator, Rows};
 use proptest::prop_oneof;
 use proptest::strategy::{Just, Strategy};
@@ -45,7 +45,7 @@ pub const NO_OVERRIDES: &[&str] = &[];
 
 /// The scenario of this text, with these overrides.
 pub fn read(text: &str, set: &[impl ToString]) -> Scenario {
-    let set: Vec<String> = set.iter().map(ToString::to_string).collect();
+    let set: Vec<Override> = set.iter().map(|text| text.to_string().into()).collect();
     Scenario::from_text("s.toml", text, &set).unwrap_or_else(|error| panic!("{error}"))
 }
 

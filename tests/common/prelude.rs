@@ -30,7 +30,7 @@ pub use plm_impact::report::run;
 pub use plm_impact::scenario::input::{Input, NumericKey};
 pub use plm_impact::scenario::keys::ALL_KEYS;
 pub use plm_impact::scenario::plan::Cases;
-pub use plm_impact::scenario::{Kind, Scenario};
+pub use plm_impact::scenario::{Kind, Override, Scenario};
 pub use plm_impact::table::evaluator::{Evaluator, RowFailure, Rows};
 pub use plm_impact::validate::comparison::max_magnitude;
 pub use roxmltree::Document;

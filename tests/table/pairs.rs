@@ -55,23 +55,24 @@ const SCENES: [&[&str]; 27] = [
 ];
 
 /// A value as a scenario gives it.
-fn in_file(key: &NumericKey, value: f64) -> String {
-    if key.quantity.dimension == Dimension::Angle { format!("\"{value:?} rad\"") } else { format!("{value:?}") }
+fn in_file(key: NumericKey, value: f64) -> String {
+    if key.quantity().dimension == Dimension::Angle { format!("\"{value:?} rad\"") } else { format!("{value:?}") }
 }
 
 /// Compares the rows of this pair of keys with single runs; false for a pair that a table refuses.
-fn compare(set: &[String], keys: [&'static NumericKey; 2], values: [[f64; 2]; 2]) -> bool {
-    let of_key = |key: &NumericKey, value: f64| format!("{}={}", key.path, in_file(key, value));
+fn compare(set: &[String], keys: [NumericKey; 2], values: [[f64; 2]; 2]) -> bool {
+    let of_key = |key: NumericKey, value: f64| format!("{}={}", key.path(), in_file(key, value));
     let single = |of: [usize; 2]| {
         let own = [0, 1].map(|i| of_key(keys[i], values[i][of[i]]));
         scene(STEEL, &[set, &own].concat())
     };
     for order in [[0, 1], [1, 0]] {
         let axis =
-            |i: usize| format!("\"{}\"=[{}]", keys[i].path, values[i].map(|value| in_file(keys[i], value)).join(","));
+            |i: usize| format!("\"{}\"=[{}]", keys[i].path(), values[i].map(|value| in_file(keys[i], value)).join(","));
         let sweep = format!("sweep={{{}}}", order.map(axis).join(","));
         let all = [set, &[sweep]].concat();
-        let Ok(plan) = Scenario::from_text("s.toml", STEEL, &all).and_then(|scenario| scenario.plan()) else {
+        let Ok(plan) = Scenario::from_text("s.toml", STEEL, &Override::list(&all)).and_then(|scenario| scenario.plan())
+        else {
             return false;
         };
         let evaluator = Evaluator::new(&plan);
@@ -109,17 +110,20 @@ fn row_of_any_two_keys_matches_run() {
             set.push("solver.method=auto".to_owned());
         }
         let input = scene(STEEL, &set);
-        let given = |key: &&NumericKey| key.get(&input).filter(|value| value.is_finite() && *value != 0.0);
-        let given: Vec<(&'static NumericKey, f64)> =
-            NUMERIC_KEYS.iter().filter_map(|key| Some((key, given(&key)?))).collect();
+        let given = |key: &NumericKey| key.get(&input).filter(|value| value.is_finite() && *value != 0.0);
+        let given: Vec<(NumericKey, f64)> = NUMERIC_KEYS.iter().filter_map(|key| Some((*key, given(key)?))).collect();
         for (i, (one, first)) in given.iter().enumerate() {
-            let alone = [set.clone(), vec![format!("sweep={{\"{}\"=[{}]}}", one.path, in_file(one, *first))]].concat();
-            if Scenario::from_text("s.toml", STEEL, &alone).and_then(|scenario| scenario.plan()).is_err() {
-                idle.insert(one.path);
+            let alone =
+                [set.clone(), vec![format!("sweep={{\"{}\"=[{}]}}", one.path(), in_file(*one, *first))]].concat();
+            if Scenario::from_text("s.toml", STEEL, &Override::list(&alone))
+                .and_then(|scenario| scenario.plan())
+                .is_err()
+            {
+                idle.insert(one.path());
             }
             for (other, second) in &given[i + 1..] {
-                if compare(&set, [one, other], [[*first, 0.9 * first], [*second, 0.9 * second]]) {
-                    covered.extend([one.path, other.path]);
+                if compare(&set, [*one, *other], [[*first, 0.9 * first], [*second, 0.9 * second]]) {
+                    covered.extend([one.path(), other.path()]);
                     pairs += 1;
                 }
             }
@@ -127,7 +131,7 @@ fn row_of_any_two_keys_matches_run() {
     }
     // a key that changes no row is refused as an axis: only a warning depends on it
     let is_missing = |path: &&str| !covered.contains(path) && !idle.contains(path);
-    let missing: Vec<&str> = NUMERIC_KEYS.iter().map(|key| key.path).filter(is_missing).collect();
+    let missing: Vec<&str> = NUMERIC_KEYS.iter().map(|key| key.path()).filter(is_missing).collect();
     assert_eq!(idle.difference(&covered).copied().collect::<Vec<_>>(), ["half_space.edge_distance"]);
     assert!(missing.is_empty(), "no scene above lets these keys vary with another: {missing:?}");
     assert!(pairs > 1000, "{pairs}");

@@ -39,7 +39,7 @@ fn earlier_summary_protects_files_outside_its_list() {
     desk.run_expecting(&[&RUN[..], &["--pictures", "none"]].concat(), 0);
     desk.write("o/history.png", "mine");
     let said = desk.run_expecting(&RUN, 2).1;
-    assert!(said.contains("o/history.png: already exists and was not written"), "{said}");
+    assert!(said.contains("o/history.png: already exists and was not written by this program"), "{said}");
     assert_eq!(desk.read("o/history.png"), "mine");
     assert_eq!(desk.files("o"), ["history.png", "summary.json", "trace.csv"]);
 }
@@ -57,7 +57,7 @@ fn a_parquet_table_of_another_program_is_kept() {
         fs::remove_dir_all(desk.path("o")).unwrap();
         desk.write("o/table.parquet", &mine);
         let said = desk.run_expecting(&run, 2).1;
-        assert!(said.contains("o/table.parquet: already exists and was not written"), "{said}");
+        assert!(said.contains("o/table.parquet: already exists and was not written by this program"), "{said}");
         assert!(fs::read(desk.path("o/table.parquet")).unwrap() == mine);
     }
     fs::remove_dir_all(desk.path("o")).unwrap();

@@ -173,7 +173,7 @@ fn listed_cases_have_the_results_of_a_grid() {
         let values = |k: usize| (0..count).map(|case| axes[k].value_at(axis_indices(axes, case)[k])).collect();
         let values: Vec<Vec<f64>> = (0..axes.len()).map(values).collect();
         let keys = axes.iter().map(|axis| NumericKey::find(axis.path()).unwrap());
-        let keys: Vec<(&NumericKey, &[f64])> = keys.zip(values.iter().map(Vec::as_slice)).collect();
+        let keys: Vec<(NumericKey, &[f64])> = keys.zip(values.iter().map(Vec::as_slice)).collect();
         let count = usize::try_from(count).unwrap();
         evaluator.append_rows_with_values(&keys, 0..1, &mut listed);
         evaluator.append_rows_with_values(&keys, 1..count, &mut listed);

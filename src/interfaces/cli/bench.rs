@@ -35,11 +35,11 @@ pub struct BenchArguments {
 const REPORT_PAGE: &str = "README.md";
 
 pub fn bench(arguments: &BenchArguments) -> Result<(), Error> {
-    let signals = Signals::listen()?;
+    Signals::listen()?;
     let directory = OutputDirectory::prepare(&arguments.out, ResultOrigin::Command("bench"), arguments.force)?;
     let is_quick = arguments.quick;
     // a bar would disturb the measurement
-    let (text, files) = Watch::without_files(true).watch(signals, move |_| measure_all(is_quick))?;
+    let (text, files) = Watch::without_files(true).watch(move |_| measure_all(is_quick))?;
     let path = directory.path().to_owned();
     let removed = directory.write(&files)?;
     note_replaced(&directory, &removed);
@@ -75,7 +75,7 @@ fn measure_all(is_quick: bool) -> Result<(String, Vec<OutputFile>), Error> {
 fn table_throughput(is_quick: bool) -> Result<(usize, [f64; 2]), Error> {
     let (points, rounds) = if is_quick { (5000, 1) } else { (500_000, 7) };
     let points = format!("sweep.\"impact.speed\".points={points}");
-    let plan = Scenario::from_text("bench table", TABLE_SCENARIO, &[points])?.plan()?;
+    let plan = Scenario::from_text("bench table", TABLE_SCENARIO, &[points.into()])?.plan()?;
     let rates = super::table::with_threads(None, || throughput(&plan, rounds))??;
     Ok((plan.column_names().len(), rates))
 }

@@ -4,10 +4,12 @@ use std::path::{PathBuf, absolute};
 
 use clap::Args;
 use plm_impact::error::Error;
+use plm_impact::scenario::Override;
 use plm_impact::scenario::keys::words::LAWS;
 
 use super::output::OutputArguments;
-use super::scenario::{ScenarioArguments, error_at_options};
+use super::run::{CommandLine, run_scenario};
+use super::scenario::ScenarioArguments;
 use super::terminal::failed_with;
 
 /// Fit keys (default: yield strength) to measurements, with confidence intervals
@@ -56,54 +58,38 @@ pub struct CalibrateArguments {
 }
 
 pub fn calibrate(arguments: &CalibrateArguments) -> Result<(), Error> {
-    let scenario =
-        arguments.scenario.load_with(&arguments.overrides()?).map_err(|error| error_at_options(error, &OPTIONS))?;
-    scenario.calibration_request().map_err(|error| error_at_options(error, &OPTIONS))?;
-    arguments.output.run_and_write(arguments.scenario.name(), scenario)
+    let CalibrateArguments { scenario: file, output, .. } = arguments;
+    let (overrides, table) = (arguments.overrides()?, &super::table::Options::default());
+    run_scenario(&CommandLine { file, overrides, output, table, is_calibration: true })
 }
 
-/// The keys of the scenario that options give, in the order of [`CalibrateArguments::numbers`].
-const OPTIONS: [(&str, &str); 7] = [
-    ("calibrate.measured.restitution", "--restitution"),
-    ("calibrate.measured.rebound_speed", "--rebound-speed"),
-    ("calibrate.measured.rebound_height", "--rebound-height"),
-    ("calibrate.measured.leeb", "--leeb"),
-    ("calibrate.measured.dent_diameter", "--dent-diameter"),
-    ("impact.speed", "--speed"),
-    ("impact.drop_height", "--drop-height"),
-];
-
 impl CalibrateArguments {
-    /// The values of [`OPTIONS`].
-    fn numbers(&self) -> [&Option<String>; 7] {
-        [
-            &self.restitution,
-            &self.rebound_speed,
-            &self.rebound_height,
-            &self.leeb,
-            &self.dent_diameter,
-            &self.speed,
-            &self.drop_height,
-        ]
-    }
-
     /// The options as keys of the scenario.
-    fn overrides(&self) -> Result<Vec<String>, Error> {
-        let mut settings = Vec::new();
+    fn overrides(&self) -> Result<Vec<Override>, Error> {
+        let mut overrides = Vec::new();
         if let Some(data) = &self.data {
             // a path of the command line is not relative to the scenario
             let path = absolute(data).map_err(failed_with(data.display()))?;
-            settings.push(format!("calibrate.data={}", toml_quote(&path.to_string_lossy())));
+            overrides.push(format!("calibrate.data={}", toml_quote(&path.to_string_lossy())).into());
         }
-        let numbers: Vec<_> = OPTIONS.iter().zip(self.numbers()).map(|((key, _), value)| (key, value)).collect();
-        settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
+        let options = [
+            ("--restitution", "calibrate.measured.restitution", &self.restitution),
+            ("--rebound-speed", "calibrate.measured.rebound_speed", &self.rebound_speed),
+            ("--rebound-height", "calibrate.measured.rebound_height", &self.rebound_height),
+            ("--leeb", "calibrate.measured.leeb", &self.leeb),
+            ("--dent-diameter", "calibrate.measured.dent_diameter", &self.dent_diameter),
+            ("--speed", "impact.speed", &self.speed),
+            ("--drop-height", "impact.drop_height", &self.drop_height),
+        ];
+        let given = options.into_iter().filter_map(|(option, key, value)| Some((option, key, value.as_ref()?)));
+        overrides.extend(given.map(|(option, key, value)| Override::of_option(option, key, value)));
         if self.all_laws {
             // under the law of Hertz nothing yields
             let laws = (LAWS.values)().into_iter().filter(|law| law != "hertz");
             let laws: Vec<String> = laws.map(|law| toml_quote(&law)).collect();
-            settings.push(format!("calibrate.laws=[{}]", laws.join(",")));
+            overrides.push(format!("calibrate.laws=[{}]", laws.join(",")).into());
         }
-        Ok(settings)
+        Ok(overrides)
     }
 }
 

@@ -84,7 +84,7 @@ pub fn drop(arguments: &DropArguments) -> Result<(), Error> {
         pictures: PictureFormat::None,
         progress: &Progress::default(),
     };
-    let outcome = super::output::run_scenario(&scenario, &options).map_err(error_at_options)?;
+    let outcome = super::request::run_whole(&scenario, &options).map_err(error_at_options)?;
     let warnings: Vec<String> = outcome.warnings.iter().map(|text| with_options(text)).collect();
     super::output::print_warnings(&warnings);
     refuse_warnings(&scenario, outcome.warnings.len(), arguments.strict)?;

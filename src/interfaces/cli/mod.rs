@@ -10,6 +10,7 @@ mod keys;
 mod materials;
 mod output;
 mod pace;
+mod request;
 mod run;
 mod scenario;
 mod table;

@@ -6,16 +6,15 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use plm_impact::error::{Error, ErrorKind};
+use plm_impact::error::Error;
 use plm_impact::files::{OutputDirectory, OutputFile, ResultOrigin, SUMMARY_FILE, hex};
 use plm_impact::report::chart::PictureFormat;
-use plm_impact::report::run::{Outcome, RunOptions, refuse_warnings, run};
+use plm_impact::report::run::refuse_warnings;
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
-use plm_impact::table::parts::clear_parts;
 use sha2::{Digest as _, Sha256};
 
-use super::watch::{Signals, Watch};
+use super::watch::Signals;
 
 /// The options that say which files are written, and where.
 #[derive(Debug, Args)]
@@ -57,29 +56,10 @@ pub fn print_warnings(warnings: &[String]) {
 }
 
 impl OutputArguments {
-    /// Runs a scenario at once. The files go to the directory, the table to standard output, and warnings and the names
-    /// of the files to standard error.
-    pub fn run_and_write(&self, file: &Path, mut scenario: Scenario) -> Result<(), Error> {
-        let signals = Signals::listen()?;
-        let directory = self.prepare_directory(file, &mut scenario)?;
-        clear_parts(&directory)?;
-        let pictures = self.pictures.format;
-        let detail = if self.verbose { Detail::Full } else { Detail::Normal };
-        let (scenario, outcome) = Watch::without_files(self.quiet).watch(signals, move |progress| {
-            let outcome =
-                run_scenario(&scenario, &RunOptions { command: &command_line(), detail, pictures, progress })?;
-            Ok((scenario, outcome))
-        })?;
-        let Outcome { warnings, text, files, contradiction, .. } = outcome;
-        print_warnings(&warnings);
-        refuse_warnings(&scenario, warnings.len(), self.strict)?;
-        let out = directory.path().to_owned();
-        let removed = directory.write(&files)?;
-        let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
-        note_replaced(&directory, &removed);
-        self.report(&text, &files, format_args!("wrote {} to {}", names.join(", "), out.display()))?;
-        contradiction
-            .map_or(Ok(()), |reason| Err(Error::for_file(ErrorKind::Mismatch, scenario.document.name(), reason)))
+    /// Prints warnings, which are errors under --strict.
+    pub fn print_warnings(&self, scenario: &Scenario, warnings: &[String]) -> Result<(), Error> {
+        print_warnings(warnings);
+        refuse_warnings(scenario, warnings.len(), self.strict)
     }
 
     /// Prints the table of a run and notes where its files are, or prints the summary alone.
@@ -91,6 +71,10 @@ impl OutputArguments {
             super::terminal::note(where_to);
         }
         Ok(())
+    }
+
+    pub fn detail(&self) -> Detail {
+        if self.verbose { Detail::Full } else { Detail::Normal }
     }
 
     /// Refuses one directory for the results of several files.
@@ -107,8 +91,10 @@ impl OutputArguments {
         self.out.clone().unwrap_or_else(|| Path::new("plots").join(default_name(file, overrides)))
     }
 
-    /// Prepares the output directory, and notes for the results how the scenario's file is found from there.
-    pub fn prepare_directory(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
+    /// Prepares the output directory, and notes for the results how the scenario's file is found from there. Signals are
+    /// listened to from here on.
+    pub fn open_directory(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
+        Signals::listen()?;
         let reads: Vec<&Path> = scenario.files().map(|(_, path)| path).collect();
         let (sha256, overrides_sha256) = (scenario.sha256(), scenario.overrides_sha256());
         let origin = ResultOrigin::File {
@@ -116,6 +102,7 @@ impl OutputArguments {
             sha256: &sha256,
             overrides_sha256: overrides_sha256.as_deref(),
             reads: &reads,
+            is_table: scenario.kind()?.is_table(),
         };
         let path = self.directory(file, &scenario.document.overrides());
         let directory = OutputDirectory::prepare(&path, origin, self.force)?;
@@ -154,11 +141,6 @@ fn in_file_name(setting: &str) -> String {
     let text = format!("{key}={}", file.as_deref().unwrap_or(value));
     let kept = text.chars().filter(|c| !c.is_whitespace() && !"\"'".contains(*c));
     kept.map(|c| if c.is_ascii_alphanumeric() || ".=+-".contains(c) { c } else { '_' }).collect()
-}
-
-/// The outcome of a scenario that is not a table.
-pub fn run_scenario(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
-    run(scenario, Some(options))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
 }
 
 /// Notes which older results are gone, once the new ones are there.

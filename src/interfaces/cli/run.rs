@@ -5,10 +5,12 @@ use std::path::PathBuf;
 use clap::Args;
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::report::run::Outcome;
+use plm_impact::scenario::Override;
 use serde_json::Value;
 
 use super::output::OutputArguments;
-use super::scenario::{ScenarioArguments, error_at_options};
+use super::request::Request;
+use super::scenario::ScenarioArguments;
 
 /// Run a scenario and write summary, trace and plots
 #[derive(Debug, Args)]
@@ -27,7 +29,7 @@ pub struct RunArguments {
     #[command(flatten)]
     output: OutputArguments,
     #[command(flatten)]
-    sweep: super::table::Options,
+    table: super::table::Options,
 }
 
 pub fn run(arguments: &RunArguments) -> Result<(), Error> {
@@ -70,16 +72,29 @@ fn refuse_same_names(files: &[ScenarioArguments]) -> Result<(), Error> {
 
 /// Runs one of the files.
 fn run_file(arguments: &RunArguments, file: &ScenarioArguments) -> Result<(), Error> {
-    let speed = arguments.speed.as_ref().map(|speed| format!("impact.speed={speed}"));
-    let options = [("impact.speed", "--speed")];
-    let mut scenario =
-        file.load_with(speed.as_slice()).map_err(|error| error_at_options(error, &options[..speed.iter().len()]))?;
-    let kind = scenario.kind()?;
-    if kind.is_table() {
-        return super::table::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario);
-    }
-    arguments.sweep.refuse_for(kind.description())?;
-    arguments.output.run_and_write(file.name(), scenario)
+    let speed = arguments.speed.iter().map(|speed| Override::of_option("--speed", "impact.speed", speed));
+    let RunArguments { output, table, .. } = arguments;
+    run_scenario(&CommandLine { file, overrides: speed.collect(), output, table, is_calibration: false })
+}
+
+/// A command line that runs a scenario.
+pub struct CommandLine<'a> {
+    pub file: &'a ScenarioArguments,
+    /// The keys that options other than --set change.
+    pub overrides: Vec<Override>,
+    pub output: &'a OutputArguments,
+    pub table: &'a super::table::Options,
+    /// True if the scenario has to be a calibration.
+    pub is_calibration: bool,
+}
+
+/// The way of every scenario: of one impact, of a series, of an indentation, of a table, and of a calibration.
+pub fn run_scenario(line: &CommandLine) -> Result<(), Error> {
+    let scenario = line.file.load_with(&line.overrides)?;
+    let request = Request::new(scenario, line)?;
+    let results = request.compute()?;
+    let written = results.write()?;
+    written.report()
 }
 
 /// Validate a scenario: print values in SI, yield point and warnings

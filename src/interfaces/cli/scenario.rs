@@ -1,14 +1,12 @@
 //! The scenario among the arguments of a command.
 
-use std::fs::File;
-use std::io::{ErrorKind, Write as _, stdin};
+use std::io::{ErrorKind, stdin};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::scenario::{MAX_SCENARIO_MIB, Scenario, read_open_file};
-
-use super::terminal::failed_with;
+use plm_impact::files::create;
+use plm_impact::scenario::{MAX_SCENARIO_MIB, Override, Scenario, read_open_file};
 
 /// In place of a file it stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
@@ -16,24 +14,15 @@ pub const STANDARD_INPUT: &str = "-";
 /// Writes a scenario to a file, never over one that is there. `option` is the one that names another file.
 pub fn write_new_scenario(path: &Path, text: &str, option: &str) -> Result<(), Error> {
     let name = path.display();
-    let mut file = File::create_new(path).map_err(|reason| match reason.kind() {
+    create(path, text.as_bytes()).map_err(|reason| match reason.kind() {
         ErrorKind::AlreadyExists => Error::input(format!("{name} already exists. Choose another file with {option}.")),
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            Error::failed(format!("{name}: cannot be written: {reason}"))
+        }
         _ => Error::input(format!("{name}: cannot be written: {reason}. Choose another file with {option}.")),
     })?;
-    let written = file.write_all(text.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(path)));
-    written.map_err(failed_with(format!("{name}: cannot be written")))?;
     super::terminal::note(format_args!("wrote {name}. Next: `plm-impact run {name}`"));
     Ok(())
-}
-
-/// The error with the options that give keys of the scenario, in place of the `--set` that the program made of them.
-pub fn error_at_options(error: Error, options: &[(&str, &str)]) -> Error {
-    error.with_texts(|_, text| {
-        let rest = text.strip_prefix("--set ")?;
-        let (option, rest) =
-            options.iter().find_map(|(key, option)| Some((option, rest.strip_prefix(key)?.strip_prefix('=')?)))?;
-        Some(format!("{option} {rest}"))
-    })
 }
 
 /// A scenario and what the command line changes in it.
@@ -66,9 +55,9 @@ impl ScenarioArguments {
         self.load_with(&[])
     }
 
-    /// Loads the scenario with more overrides than those of the command line.
-    pub fn load_with(&self, more: &[String]) -> Result<Scenario, Error> {
-        let overrides = [&self.overrides, more].concat();
+    /// Loads the scenario with more overrides than those of --set.
+    pub fn load_with(&self, more: &[Override]) -> Result<Scenario, Error> {
+        let overrides = [&Override::list(&self.overrides), more].concat();
         if self.is_standard_input() {
             let text = read_open_file(self.name(), stdin().lock(), MAX_SCENARIO_MIB)?;
             return Scenario::from_text("stdin", &text, &overrides);

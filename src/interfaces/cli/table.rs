@@ -1,19 +1,20 @@
 //! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
 
 use std::num::NonZeroU64;
-use std::path::Path;
 use std::time::Duration;
 
 use clap::{Args, value_parser};
 use plm_impact::error::Error;
 use plm_impact::files::OutputDirectory;
-use plm_impact::report::run::{refuse_warnings, table};
+use plm_impact::report::run::table::{TableWarnings, files as table_files, table_text, table_warnings};
 use plm_impact::scenario::Scenario;
-use plm_impact::table::{Format, PartLayout, Shard, TableJob, Tally};
+use plm_impact::scenario::plan::Plan;
+use plm_impact::table::{FinishedTable, Format, PartLayout, Shard, TableJob, Tally};
 use rayon::ThreadPoolBuilder;
 
-use super::output::{OutputArguments, note_replaced, parse_choice, print_warnings};
-use super::watch::{Signals, Watch};
+use super::output::{OutputArguments, command_line, parse_choice};
+use super::request::{Request, Results};
+use super::watch::Watch;
 
 /// More threads could stop a machine.
 const MAX_THREADS: u16 = 1024;
@@ -21,7 +22,7 @@ const MAX_THREADS: u16 = 1024;
 const THREADS_VARIABLE: &str = "RAYON_NUM_THREADS";
 
 /// Options of sweeps.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct Options {
     /// Sweeps: format of the table [default: csv]
     #[arg(long, value_parser = parse_choice(Format::ALL, Format::name))]
@@ -57,74 +58,82 @@ const GRACE_PERIOD: Duration = Duration::from_millis(700);
 /// Rows of a part, for tests of small tables.
 const ROWS_PER_PART_VARIABLE: &str = "PLM_IMPACT_TEST_ROWS_PER_PART";
 
-/// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
-pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {
-    let plan = scenario.plan()?;
-    let warnings_and_notes = table::table_warnings(&plan, None);
-    print_warnings(&warnings_and_notes.warnings);
-    refuse_warnings(scenario, warnings_and_notes.warnings.len(), output.strict)?;
-    let shard = options.shard.as_deref().map(parse_shard).transpose()?;
-    let pictures = output.pictures.format;
-    if shard.is_some() && output.json {
-        let message = "--json and --shard exclude each other, because a shard has no summary. Remove one of the two.";
-        return Err(Error::input(message.to_owned()));
+/// The table that a scenario and the options ask for.
+pub struct TableRequest {
+    plan: Plan,
+    warnings_and_notes: TableWarnings,
+    shard: Option<Shard>,
+    format: Format,
+    threads: Option<u16>,
+}
+
+impl TableRequest {
+    /// Plans the table, and prints its warnings before any row is computed.
+    pub fn new(scenario: &Scenario, options: &Options, output: &OutputArguments) -> Result<Self, Error> {
+        let plan = scenario.plan()?;
+        let warnings_and_notes = table_warnings(&plan, None);
+        output.print_warnings(scenario, &warnings_and_notes.warnings)?;
+        let shard = options.shard.as_deref().map(parse_shard).transpose()?;
+        if shard.is_some() && output.json {
+            let message =
+                "--json and --shard exclude each other, because a shard has no summary. Remove one of the two.";
+            return Err(Error::input(message.to_owned()));
+        }
+        let format = options.format.unwrap_or(Format::Csv);
+        Ok(Self { plan, warnings_and_notes, shard, format, threads: options.threads })
     }
-    let signals = Signals::listen()?;
-    let directory = output.prepare_directory(file, scenario)?;
-    let (source, mut provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
-    let Options { format, threads, .. } = *options;
-    let mut layout = PartLayout::new(&plan);
+
+    /// Writes the table, or a shard of it; a whole table also has a summary and pictures.
+    pub fn compute(self, request: Request<'_>) -> Result<Results<'_>, Error> {
+        let Self { plan, warnings_and_notes, shard, format, threads } = self;
+        let Request { scenario, directory, output, .. } = request;
+        let layout = part_layout(&plan);
+        let resume = if layout.is_split(shard, &directory) { RESUME_TEXT } else { NOTHING_WRITTEN };
+        let watch = Watch { is_quiet: output.quiet, counted: "rows", grace_period: GRACE_PERIOD, on_abandon: resume };
+        let source = scenario.source();
+        let (directory, plan, table) = watch.watch(move |progress| {
+            let job = TableJob { plan: &plan, shard, format, layout, directory: &directory, source: &source, progress };
+            let table = with_threads(threads, || job.run())??;
+            Ok((directory, plan, table))
+        })?;
+        let text = table_text(&plan, &table.tally, &warnings_and_notes);
+        let flaw = missing_rows_error(&table);
+        let files = if shard.is_some() {
+            Vec::new()
+        } else {
+            let mut provenance = scenario.provenance(&command_line());
+            // the parts of a table are no file
+            let name = table.table.file_name().filter(|_| table.table.is_file());
+            provenance.files.extend(name.map(|name| name.to_string_lossy().into_owned()));
+            provenance.files.extend(other_table(&directory, &provenance.files));
+            let (tally, pictures) = (table.tally.clone(), output.pictures.format);
+            Watch { on_abandon: NO_SUMMARY, ..Watch::without_files(output.quiet) }
+                .watch(move |_| table_files(&plan, &tally, &warnings_and_notes, provenance, pictures))?
+        };
+        Ok(Results { directory, output, text, files, table: Some(table), removed: Vec::new(), flaw })
+    }
+}
+
+/// What an interrupted table leaves, and what to do then.
+const RESUME_TEXT: &str = "run the same command again to resume";
+const NOTHING_WRITTEN: &str = "no files were written";
+const NO_SUMMARY: &str = "the table is complete, but summary and plots are missing; run the same command again";
+
+/// The parts of the table of a plan.
+fn part_layout(plan: &Plan) -> PartLayout {
+    let mut layout = PartLayout::new(plan);
     if let Some(rows) = std::env::var(ROWS_PER_PART_VARIABLE).ok().and_then(|rows| rows.parse::<NonZeroU64>().ok()) {
         layout.rows_per_part = rows.get();
     }
-    let leaves = if layout.is_split(shard, &directory) {
-        "run the same command again to resume"
-    } else {
-        "no files were written"
-    };
-    let watch = Watch { is_quiet: output.quiet, counted: "rows", grace_period: GRACE_PERIOD, on_abandon: leaves };
-    let (directory, plan, written) = watch.watch(signals, move |progress| {
-        let job = TableJob {
-            plan: &plan,
-            shard,
-            format: format.unwrap_or(Format::Csv),
-            layout,
-            directory: &directory,
-            source: &source,
-            progress,
-        };
-        let written = with_threads(threads, || job.run())??;
-        Ok((directory, plan, written))
-    })?;
-    let about = table::table_text(&plan, &written.tally, &warnings_and_notes);
-    let (mut files, mut removed) = (Vec::new(), Vec::new());
-    if shard.is_none() {
-        let leaves = "the table is complete, but summary and plots are missing; run the same command again";
-        let tally = written.tally.clone();
-        // the parts of a table are no file
-        let table = written.table.file_name().filter(|_| written.table.is_file());
-        provenance.files.extend(table.map(|name| name.to_string_lossy().into_owned()));
-        provenance.files.extend(other_table(&directory, &provenance.files));
-        files = Watch { on_abandon: leaves, ..Watch::without_files(output.quiet) }
-            .watch(signals, move |_| table::files(&plan, &tally, &warnings_and_notes, provenance, pictures))?;
-        removed = directory.write(&files)?;
-    }
-    note_replaced(&directory, &removed);
-    let found = match written.resumed_rows {
-        0 => String::new(),
-        rows => format!("{rows} rows were already computed\n"),
-    };
-    let names = std::iter::once(written.table.display().to_string()).chain(files.iter().map(|file| file.name.clone()));
-    let wrote = format!("{found}wrote {}", names.collect::<Vec<_>>().join(", "));
-    output.report(&about, &files, wrote)?;
-    let Tally { failures, rows, .. } = written.tally;
-    if failures == 0 {
-        return Ok(());
-    }
-    // rows without a result make exit code 1
-    let table = written.table.display();
+    layout
+}
+
+/// The error of a table with rows without a result, which make exit code 1.
+fn missing_rows_error(FinishedTable { table, tally, .. }: &FinishedTable) -> Option<Error> {
+    let Tally { failures, rows, .. } = tally;
+    let table = table.display();
     let text = format!("{failures} of {rows} cases have no result. See the column `status` in {table}.");
-    Err(Error::failed(text).with_file(table))
+    (*failures > 0).then(|| Error::failed(text).with_file(table))
 }
 
 fn parse_shard(text: &str) -> Result<Shard, Error> {

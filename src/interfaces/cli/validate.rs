@@ -39,11 +39,11 @@ pub fn validate(arguments: &ValidateArguments) -> Result<(), Error> {
     let own = arguments.coefficients.as_deref().map(load_coefficients).transpose()?;
     let is_built_in = own.is_none();
     let coefficients = own.unwrap_or_else(|| PlmCoefficients::built_in().clone());
-    let signals = Signals::listen()?;
+    Signals::listen()?;
     let directory = OutputDirectory::prepare(&arguments.out, ResultOrigin::Command("validate"), arguments.force)?;
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
-    let (compared, laws, pictures) = Watch::without_files(false).watch(signals, move |progress| {
+    let (compared, laws, pictures) = Watch::without_files(false).watch(move |progress| {
         let compared = validate::comparisons(&coefficients, progress)?;
         let laws = validate::laws::law_deviations(&coefficients)?;
         let draw = || validate::pictures(&coefficients, format, progress);

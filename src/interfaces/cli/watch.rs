@@ -97,10 +97,9 @@ impl Watch {
     /// gives no thread.
     pub fn watch<T: Send + 'static>(
         &self,
-        signals: &Signals,
         work: impl FnOnce(&Progress) -> Result<T, Error> + Send + 'static,
     ) -> Result<T, Error> {
-        signals.is_off.store(false, Ordering::Relaxed);
+        let signals = Signals::listen()?;
         let progress = Arc::new(Progress::with_stop_flag(Arc::clone(&signals.is_set)));
         let (sender, receiver) = channel();
         let counter = Arc::clone(&progress);

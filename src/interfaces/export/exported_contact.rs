@@ -36,7 +36,10 @@ impl ExportedContact {
             _ => {}
         }
         let plan = kind.is_table().then(|| scenario.plan()).transpose()?;
-        let mut input = plan.as_ref().map_or_else(|| scenario.resolve_bodies(), |plan| Ok(plan.input.clone()))?;
+        let mut input = match &plan {
+            Some(plan) => plan.input.clone(),
+            None => scenario.checked_bodies()?.0,
+        };
         let paths = plan.map(|plan| plan.varied_paths()).unwrap_or_default();
         let is_single = !paths.iter().any(|path| ["impact.speed", "impact.drop_height", "impact.angle"].contains(path));
         let angle = input.number(key!("impact.angle")).unwrap_or(0.0);

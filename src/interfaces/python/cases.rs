@@ -51,34 +51,34 @@ pub struct PyContact {
 
 /// A key and its values in SI units. Numbers may be NaN or out of the allowed range: such a row has no result.
 pub struct KeyValues {
-    pub key: &'static NumericKey,
+    pub key: NumericKey,
     pub numbers: Numbers,
 }
 
 impl KeyValues {
     /// A number, an array of numbers, or a text with a unit.
-    pub fn new(key: &'static NumericKey, value: &Bound<'_, PyAny>) -> PyResult<Self> {
+    pub fn new(key: NumericKey, value: &Bound<'_, PyAny>) -> PyResult<Self> {
         let numbers = match value.cast::<PyString>() {
             Ok(text) => {
-                let value = key.quantity.parse(&text.to_cow()?).map_err(|text| key_error(key, "", &text))?;
-                key.quantity.check(value).map_err(|error| key_error(key, "", &error))?;
+                let value = key.quantity().parse(&text.to_cow()?).map_err(|text| key_error(key, "", &text))?;
+                key.quantity().check(value).map_err(|error| key_error(key, "", &error))?;
                 Numbers::scalar(value)
             }
-            Err(_) => numbers(value, key.path)?,
+            Err(_) => numbers(value, key.path())?,
         };
         Ok(Self { key, numbers })
     }
 
     /// Refuses numbers that are not allowed.
     pub fn check(self) -> PyResult<Self> {
-        match self.numbers.values.iter().find_map(|value| self.key.quantity.check(*value).err()) {
+        match self.numbers.values.iter().find_map(|value| self.key.quantity().check(*value).err()) {
             Some(error) => Err(key_error(self.key, "", &error)),
             None => Ok(self),
         }
     }
 
     fn is_allowed(&self, value: f64) -> bool {
-        self.key.quantity.check(value).is_ok()
+        self.key.quantity().check(value).is_ok()
     }
 
     /// The values of `speed`.
@@ -96,8 +96,8 @@ impl KeyValues {
     }
 }
 
-fn key_error(key: &NumericKey, place: &str, message: &str) -> PyErr {
-    PyValueError::new_err(format!("{}{place}: {message}", key.path))
+fn key_error(key: NumericKey, place: &str, message: &str) -> PyErr {
+    PyValueError::new_err(format!("{}{place}: {message}", key.path()))
 }
 
 /// The plan of a table in which these keys vary, each between its smallest and its largest value. It is refused for the
@@ -105,19 +105,19 @@ fn key_error(key: &NumericKey, place: &str, message: &str) -> PyErr {
 fn plan(contact: &PyContact, given: &[KeyValues]) -> PyResult<Plan> {
     let ends: Vec<Vec<f64>> = given.iter().map(KeyValues::value_range).collect();
     let keys: Vec<_> =
-        given.iter().zip(&ends).map(|(given, ends)| (given.key.path, ends.first() == Some(&0.0))).collect();
+        given.iter().zip(&ends).map(|(given, ends)| (given.key.path(), ends.first() == Some(&0.0))).collect();
     let mut plans = contact.plans.lock().unwrap_or_else(PoisonError::into_inner);
     let mut plan = if let Some(known) = plans.get(&keys) {
         known.clone()
     } else {
         let axes = given.iter().zip(&ends).map(|(KeyValues { key, .. }, ends)| {
             // an array is in SI; in the text of a scenario an angle carries its unit
-            let written = |low: &f64| match key.quantity.dimension {
+            let written = |low: &f64| match key.quantity().dimension {
                 Dimension::Angle => format!("\"{low:?} rad\""),
                 _ => format!("{low:?}"),
             };
-            let value = ends.first().map_or_else(|| key.quantity.example.to_owned(), written);
-            format!("sweep.\"{}\"=[{value}]", key.path)
+            let value = ends.first().map_or_else(|| key.quantity().example.to_owned(), written);
+            format!("sweep.\"{}\"=[{value}]", key.path())
         });
         let scenario = with_overrides(&contact.scenario, axes).map_err(exception)?;
         let plan = scenario.plan().map_err(exception)?;
@@ -134,7 +134,7 @@ fn plan(contact: &PyContact, given: &[KeyValues]) -> PyResult<Plan> {
 /// The paths of all numeric keys, in the order of the registry.
 #[pyfunction]
 pub fn numeric_keys() -> Vec<&'static str> {
-    NUMERIC_KEYS.iter().map(|key| key.path).collect()
+    NUMERIC_KEYS.iter().map(|key| key.path()).collect()
 }
 
 /// The values of a numeric key in SI units: a number, or an array in the shape of `value`.
@@ -179,7 +179,7 @@ pub fn rows<'py>(
 /// Why a row without allowed values has no result: its first such value, with its index in the array.
 fn not_allowed(given: &[KeyValues], row: usize) -> Option<String> {
     given.iter().find_map(|KeyValues { key, numbers: Numbers { shape, values } }| {
-        let error = key.quantity.check(*values.get(row)?).err()?;
+        let error = key.quantity().check(*values.get(row)?).err()?;
         let mut rest = row;
         let mut indices: Vec<String> = Vec::new();
         for length in shape.iter().rev() {
@@ -191,7 +191,7 @@ fn not_allowed(given: &[KeyValues], row: usize) -> Option<String> {
             [index] => format!(" at index {index}"),
             _ => format!(" at index ({})", indices.join(", ")),
         };
-        Some(format!("{}{place}: {error}", key.path))
+        Some(format!("{}{place}: {error}", key.path()))
     })
 }
 

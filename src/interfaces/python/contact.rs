@@ -20,7 +20,6 @@ use crate::report::text::overview::overview;
 use crate::report::text::{Detail, impact_text, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::{TABLES, to_fields};
-use crate::scenario::input::RunKind;
 use crate::scenario::keys::interval::expected_notes;
 use crate::scenario::keys::quantity::SAMPLES;
 use crate::scenario::keys::{RestitutionInterval, key, restitution_interval, strength_notes};
@@ -49,7 +48,7 @@ impl PyContact {
         };
         let input = input.map_err(exception)?;
         let contact = input.contact().map_err(|reason| exception(no_result_error(&scenario, &reason)))?;
-        let warnings = warning_texts(&scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact));
+        let warnings = warning_texts(&scenario.unused_key_warnings(std::slice::from_ref(&input), Kind::Impact));
         Ok((Self { scenario, input, inner: contact, plans: Mutex::default() }, warnings))
     }
 

@@ -16,7 +16,7 @@ use crate::report;
 use crate::report::chart::PictureFormat;
 use crate::report::run::{Outcome, RunOptions, table};
 use crate::report::text::Detail;
-use crate::scenario::Scenario;
+use crate::scenario::{Override, Scenario};
 
 /// The name of measurements that are arrays, in messages.
 const DATA: &str = "data";
@@ -70,9 +70,9 @@ fn scenario_of(path_or_tables: &Bound<'_, PyAny>, overrides: Vec<String>) -> PyR
     let scenario = match path_or_tables.cast::<PyMapping>() {
         Ok(tables) => {
             let source = source_of(tables)?;
-            Scenario::from_text("scenario", &source.text, &[source.overrides, overrides].concat())
+            Scenario::from_text("scenario", &source.text, &Override::list(&[source.overrides, overrides].concat()))
         }
-        Err(_) => Scenario::load(&path_or_tables.extract::<PathBuf>()?, &overrides),
+        Err(_) => Scenario::load(&path_or_tables.extract::<PathBuf>()?, &Override::list(&overrides)),
     };
     scenario.map_err(|error| unreadable_exception(path_or_tables.py(), error))
 }

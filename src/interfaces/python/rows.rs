@@ -33,11 +33,11 @@ pub fn evaluate(
     py: Python<'_>,
     plan: &Plan,
     contact: &Contact,
-    keys: &[(&NumericKey, &[f64])],
+    keys: &[(NumericKey, &[f64])],
     rows: usize,
     named: &NamedColumns,
 ) -> PyResult<Vec<Vec<f64>>> {
-    let is_known = !keys.iter().any(|(key, _)| key.part.changes_contact());
+    let is_known = !keys.iter().any(|(key, _)| key.part().changes_contact());
     let evaluator = Evaluator::with_contact(plan, is_known.then_some(contact));
     // a step of the fixed-step method may be as short as one likes
     let is_slow = plan.input.solver().method == Method::Verlet;

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::files::Progress;
-use crate::table::job::ordered_parallel;
+use crate::table::chunks::ordered_parallel;
 
 /// Number of rows that a thread computes at a time: of usual rows, and of slow ones. Ctrl-C stops a computation between them.
 const CHUNK_ROWS: [usize; 2] = [1024, 16];

@@ -72,7 +72,7 @@ fn curve(scenario: &Scenario, format: PictureFormat) -> Result<Option<Value>, Er
     let axis =
         format!("sweep.\"{key}\"={{ logspace = [1e{}, 1e{}], points = {POINTS} }}", decade - DECADES, decade + DECADES);
     let source = scenario.source();
-    let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis])?;
+    let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis.into()])?;
     let mut plan = swept.plan()?;
     plan.columns = Some(vec!["restitution"]);
     let drawn = pictures(&plan, &Tally::new(&plan)).into_iter().next();

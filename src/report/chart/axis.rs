@@ -1,6 +1,7 @@
 //! Axes, linear or logarithmic: range, ticks and labels.
 
 use crate::numerics::functions::{exp, ln, log10};
+use crate::units::Dimension;
 use crate::units::prefix::{Prefix, power_of_ten, power_of_ten_text};
 
 /// Values larger than this are not drawn; on a logarithmic axis, nor are values smaller than its inverse. So the ends
@@ -48,11 +49,6 @@ impl Axis {
         Self { title: title.into(), unit: unit.into(), scale: AxisScale::Linear, range: None, prefix_of: None }
     }
 
-    /// True if the unit takes a prefix: it is not one of these, and has no prefix yet.
-    fn takes_prefix(&self) -> bool {
-        !["", "HV", "°", "%", "MPa", "µs"].contains(&&*self.unit) && !self.unit.starts_with("kg")
-    }
-
     /// An axis of the positions 1 to `count`.
     #[allow(clippy::cast_precision_loss)] // a handful
     pub fn ordinal(title: &str, count: usize) -> Self {
@@ -89,7 +85,7 @@ impl Axis {
             padded_range(low, high, is_log)
         });
         let prefix = match self.scale {
-            _ if !self.takes_prefix() => Prefix::for_value(1.0),
+            _ if !Dimension::is_prefixed(&self.unit) => Prefix::for_value(1.0),
             _ if self.prefix_of.is_some() => Prefix::for_value(self.prefix_of.unwrap_or(1.0)),
             AxisScale::Linear | AxisScale::Count => Prefix::for_value(low.abs().max(high.abs())),
             // a range around 1 needs no prefix: speeds from 0.01 to 10 m/s stay in m/s
@@ -159,14 +155,6 @@ impl FittedAxis {
     /// The place of a value along the axis; 0 … 1 within its range.
     pub(in crate::report) fn position(&self, value: f64) -> f64 {
         self.fraction(value / self.factor)
-    }
-
-    /// A value in the unit of the axis, with three significant digits.
-    pub(in crate::report) fn three_digits(&self, value: f64) -> String {
-        let shown = value / self.factor;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0 to 17
-        let decimals = (2.0 - log10(shown.abs()).floor()).clamp(0.0, 17.0) as usize;
-        format!("{shown:.decimals$}").replace('-', "−")
     }
 
     /// The value at a place along the axis: the inverse of [`FittedAxis::position`].

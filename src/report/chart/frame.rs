@@ -76,7 +76,7 @@ impl PanelFrame {
         if !has_labels {
             return Ok(());
         }
-        // a title that is longer than its box, as beside another box, has two lines in smaller letters
+        // a title that is longer than its box has two lines in smaller letters
         let (middle, room) = (0.5 * (left + right), right - left + TITLE_OVERHANG);
         if text_width(&self.x.title, AXIS_SIZE) <= room {
             return pen.draw_text(&self.x.title, (middle, bottom + X_TITLE), AXIS_SIZE, FOREGROUND, Anchor::Middle);
@@ -90,8 +90,8 @@ impl PanelFrame {
         Ok(())
     }
 
-    /// Draws the vertical axis. It has no labels if a box at its left has the same axis.
-    pub fn draw_y<B: DrawingBackend>(&self, pen: &mut Pen<B>, has_labels: bool) -> Result<(), Error> {
+    /// Draws the vertical axis.
+    pub fn draw_y<B: DrawingBackend>(&self, pen: &mut Pen<B>) -> Result<(), Error> {
         let Bounds { left, top, right, bottom } = self.bounds;
         let mut widest: f64 = 0.0;
         for tick in self.y.ticks(bottom - top, LABEL_DISTANCE.1, |_| LABEL_SIZE) {
@@ -103,13 +103,10 @@ impl PanelFrame {
                 &[(left - tick_length(tick.label.is_some()), y), (left, y)],
                 Style::line(FOREGROUND, 2.0),
             )?;
-            if let Some(label) = tick.label.filter(|_| has_labels) {
+            if let Some(label) = tick.label {
                 widest = widest.max(text_width(&label, LABEL_SIZE));
                 pen.draw_text(&label, (left - LABELS.0, y), LABEL_SIZE, FOREGROUND, Anchor::End)?;
             }
-        }
-        if !has_labels {
-            return Ok(());
         }
         let title_at = (left - LABELS.0 - widest - Y_TITLE.0).max(Y_TITLE.1);
         let size = fitting_size(&self.y.title, AXIS_SIZE, bottom - top + TITLE_OVERHANG);

@@ -26,9 +26,7 @@ use plotters::style::RGBColor;
 
 use frame::{BOTTOM, Bounds, LEFT, PanelFrame, TOP, draw_titles};
 use legend::{Legend, MARGIN};
-use pen::{Anchor, Pen, Point};
-use style::LABEL_SIZE;
-use text::text_width;
+use pen::{Pen, Point};
 
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;
@@ -42,11 +40,6 @@ const NARROW_SIZE: (f64, f64) = (800.0, 830.0);
 const RIGHT_MARGIN: f64 = 40.0;
 /// Largest share of the width that a key at the right of the axes takes.
 const MAX_LEGEND_SHARE: f64 = 0.2;
-/// Share of the width that a box at the side takes, and its distance from the first box \[px\].
-const SIDE_PANEL_SHARE: f64 = 0.3;
-const SIDE_PANEL_GAP: f64 = 44.0;
-/// The widest text over a column, in widths of the column: the gap beside it is half as wide.
-const MAX_COLUMN_TEXT_WIDTH: f64 = 1.3;
 /// Number of steps of the colour bar.
 const COLOR_BAR_STEPS: u32 = 256;
 
@@ -60,8 +53,6 @@ pub struct Chart {
     pub x: Axis,
     /// The boxes, from the top down.
     pub panels: Vec<Panel>,
-    /// A box at the right of the first one, with the vertical axis of that box.
-    pub side: Option<SidePanel>,
     /// Entries at the end of the key.
     pub(super) legend_entries: Vec<Series>,
     /// The axis of the colours of a map, with their scale.
@@ -75,7 +66,7 @@ pub type ColorMap = fn(f64) -> RGBColor;
 struct ChartLayout {
     /// Width and height of the picture \[px\].
     canvas: (u32, u32),
-    /// The room of all boxes, with that at their right.
+    /// The room of all boxes.
     bounds: Bounds,
     frames: Vec<PanelFrame>,
     legend: Legend,
@@ -92,13 +83,6 @@ pub struct Panel {
     pub guides: Vec<Series>,
     /// Coloured rectangles below all else.
     pub(super) cells: Vec<Cell>,
-}
-
-/// A box at the side, for series that would be too narrow on the horizontal axis of the others.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SidePanel {
-    pub x: Axis,
-    pub series: Vec<Series>,
 }
 
 /// A coloured rectangle between two corners.
@@ -128,17 +112,12 @@ impl Chart {
     /// A picture of several boxes one above the other.
     pub fn with_panels(title: impl Into<String>, x: Axis, panels: Vec<Panel>) -> Self {
         let (title, caption) = (title.into(), String::new());
-        Self { title, caption, x, panels, side: None, legend_entries: Vec::new(), color_axis: None }
+        Self { title, caption, x, panels, legend_entries: Vec::new(), color_axis: None }
     }
 
     /// Returns the picture with a line below the title that names bodies and law.
     pub fn with_caption(self, caption: impl Into<String>) -> Self {
         Self { caption: caption.into(), ..self }
-    }
-
-    /// Returns the picture with these series in a box at the right of the first one.
-    pub fn with_side_panel(self, x: Axis, series: Vec<Series>) -> Self {
-        Self { side: Some(SidePanel { x, series }), ..self }
     }
 
     /// Returns the picture with these guides in every box.
@@ -231,7 +210,7 @@ impl Chart {
         ChartLayout { canvas: sheet, bounds: all, frames, legend: key, legend_position: key_at }
     }
 
-    /// The boxes in this room; a box at the side is the last.
+    /// The boxes in this room.
     fn panel_frames(&self, all: Bounds) -> Vec<PanelFrame> {
         let x = self.x.fit(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
         let count = self.panels.len() as f64;
@@ -244,14 +223,6 @@ impl Chart {
             let y = panel.y.fit(panel.points().map(|(_, y)| y));
             frames.push(PanelFrame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y });
         }
-        if let Some(side) = &self.side {
-            let first = &mut frames[0];
-            let left = all.right - SIDE_PANEL_SHARE * (all.right - all.left);
-            first.bounds.right = left - SIDE_PANEL_GAP;
-            let x = side.x.fit(side.series.iter().flat_map(|one| &one.points).map(|(x, _)| *x));
-            let (bounds, y) = (Bounds { left, right: all.right, ..first.bounds }, first.y.clone());
-            frames.push(PanelFrame { bounds, x, y });
-        }
         frames
     }
 
@@ -259,18 +230,13 @@ impl Chart {
         let mut number = 0;
         for (i, (panel, frame)) in self.panels.iter().zip(&layout.frames).enumerate() {
             frame.draw_x(pen, i + 1 == self.panels.len())?;
-            frame.draw_y(pen, true)?;
+            frame.draw_y(pen)?;
             for cell in &panel.cells {
                 let inside = |value| frame.bounds.clamp(frame.to_pixels(value));
                 pen.draw_rectangle(inside(cell.from), inside(cell.to), cell.color)?;
             }
             draw_panel(&panel.series, &panel.guides, frame, number, pen)?;
             number += panel.series.len();
-        }
-        if let (Some(side), Some(frame)) = (&self.side, layout.frames.last()) {
-            frame.draw_x(pen, true)?;
-            frame.draw_y(pen, false)?;
-            draw_panel(&side.series, &[], frame, number, pen)?;
         }
         let right = layout.frames.last().map_or(layout.bounds.right, |frame| frame.bounds.right);
         // in a narrow picture the letters of a caption would be too small to read
@@ -285,8 +251,7 @@ impl Chart {
         fn styled((number, one): (usize, &Series)) -> (&Series, Style) {
             (one, one.style(number))
         }
-        let of_side = self.side.iter().flat_map(|side| &side.series);
-        let series = self.panels.iter().flat_map(|panel| &panel.series).chain(of_side).enumerate();
+        let series = self.panels.iter().flat_map(|panel| &panel.series).enumerate();
         let mut named: Vec<(&Series, Style)> = series.map(styled).collect();
         let panels = self.panels.iter().zip(frames);
         let seen = panels.flat_map(|(panel, frame)| panel.guides.iter().filter(|guide| guide.is_visible(frame)));
@@ -310,7 +275,7 @@ impl Chart {
         let right = all.right + RIGHT_MARGIN - COLOR_BAR_MARGIN;
         let bounds = Bounds { left: right - COLOR_BAR_WIDTH, right, ..all };
         let bar = PanelFrame { bounds, x: Axis::linear("", "").fit([]), y: axis.fit([]) };
-        bar.draw_y(pen, true)?;
+        bar.draw_y(pen)?;
         let height = (bounds.bottom - bounds.top) / f64::from(COLOR_BAR_STEPS);
         for step in 0..COLOR_BAR_STEPS {
             let below = bounds.bottom - f64::from(step) * height;
@@ -347,22 +312,5 @@ fn draw_panel<B: DrawingBackend>(
             frame.draw_marker(pen, *point, Style { radius, ..style })?;
         }
     }
-    for (column, _) in series().filter(|(one, _)| one.kind == SeriesKind::Column) {
-        draw_column_value(column, frame, pen)?;
-    }
     Ok(())
-}
-
-/// Writes the value of a column over it, in the unit of the axis, unless it is wider than the column and the gap beside it.
-fn draw_column_value<B: DrawingBackend>(column: &Series, frame: &PanelFrame, pen: &mut Pen<B>) -> Result<(), Error> {
-    let [_, left, right, _] = column.points[..] else { return Ok(()) };
-    let ((from, top), (to, _)) = (frame.to_pixels(left), frame.to_pixels(right));
-    let text = frame.y.three_digits(left.1);
-    if text_width(&text, LABEL_SIZE) > MAX_COLUMN_TEXT_WIDTH * (to - from) {
-        return Ok(());
-    }
-    // a column as high as the box has its value inside
-    let above = top - 0.7 * LABEL_SIZE;
-    let at = if above > frame.bounds.top + 0.5 * LABEL_SIZE { above } else { top + 0.7 * LABEL_SIZE };
-    pen.draw_text(&text, (0.5 * (from + to), at), LABEL_SIZE, FOREGROUND, Anchor::Middle)
 }

@@ -40,8 +40,6 @@ pub enum SeriesKind {
     Points,
     /// The area inside a closed line, in a pale colour.
     Band,
-    /// Such an area that stands for one value, which is written over it where there is room.
-    Column,
     /// Not drawn: texts in the key.
     Text,
     /// A guide at this value of the horizontal axis.
@@ -67,7 +65,7 @@ impl Series {
     /// A column from `left` to `right` as high as its value; it is empty where that is no number.
     pub fn column(name: impl Into<String>, [left, right]: [f64; 2], value: f64) -> Self {
         let outline = vec![(left, 0.0), (left, value), (right, value), (right, 0.0)];
-        Self::new(name, if value.is_finite() { outline } else { Vec::new() }, SeriesKind::Column)
+        Self::new(name, if value.is_finite() { outline } else { Vec::new() }, SeriesKind::Band)
     }
 
     /// Error bars at (x, y), of a standard deviation on each side.
@@ -128,7 +126,7 @@ impl Series {
     }
 
     pub(in crate::report) fn is_area(&self) -> bool {
-        matches!(self.kind, SeriesKind::Band | SeriesKind::Column)
+        self.kind == SeriesKind::Band
     }
 
     /// The line and the marker that stand for it in the key.
@@ -136,7 +134,7 @@ impl Series {
         match self.kind {
             SeriesKind::MarkedLine | SeriesKind::LabelledLine => [Some(style); 2],
             SeriesKind::Points => [None, Some(style)],
-            SeriesKind::Band | SeriesKind::Column => [
+            SeriesKind::Band => [
                 None,
                 Some(Style { radius: 2.0 * MARKER_RADIUS, ..Style::marker(Marker::Square, style.light_color()) }),
             ],

@@ -45,8 +45,8 @@ pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
     if !calibration.laws.is_empty() && has_lines {
         pictures.push(("laws".to_owned(), FittedQuantity::new(calibration, data.values[0].quantity).law_chart()));
     }
-    let sought = calibration.keys.iter().map(|key| key.free.key.path);
-    let varied: Vec<&str> = sought.chain(data.keys.iter().map(|key| key.path)).collect();
+    let sought = calibration.keys.iter().map(|key| key.free.key.path());
+    let varied: Vec<&str> = sought.chain(data.keys.iter().map(|key| key.path())).collect();
     with_captions(pictures, &caption(&calibration.fit.problem.input, &varied))
 }
 
@@ -57,7 +57,7 @@ fn needs_log_axis(points: &[(f64, f64)]) -> bool {
 
 /// The quantity on the horizontal axis: the only key that changes, the indentation of a curve, or the prediction.
 enum Abscissa {
-    Key(&'static NumericKey),
+    Key(NumericKey),
     Indentation,
     Prediction,
 }
@@ -75,7 +75,7 @@ impl Abscissa {
     fn coordinate(&self, calibration: &Calibration, value: usize) -> f64 {
         let row = &calibration.fit.problem.data.rows[calibration.fit.problem.data.values[value].row];
         match self {
-            Self::Key(key) => key.quantity.picture_unit().1(row.keys[0]),
+            Self::Key(key) => key.quantity().picture_unit().1(row.keys[0]),
             Self::Indentation => row.indentation.unwrap_or(0.0),
             Self::Prediction => calibration.predicted[value],
         }
@@ -83,7 +83,7 @@ impl Abscissa {
 
     fn axis(&self, quantity: MeasuredQuantity, points: &[(f64, f64)]) -> Axis {
         match self {
-            Self::Key(key) => key_axis(key, needs_log_axis(points)),
+            Self::Key(key) => key_axis(*key, needs_log_axis(points)),
             Self::Indentation => Axis::linear("Indentation", "m"),
             Self::Prediction => quantity_axis(quantity, " predicted"),
         }
@@ -163,7 +163,7 @@ impl<'a> FittedQuantity<'a> {
         series.push(measured);
         let notes = calibration.keys.iter().flat_map(|KeyEstimate { free, estimate, sd, .. }| {
             let sd = sd.map_or_else(String::new, |sd| format!(", standard deviation {}", free.format_value(sd, 2)));
-            [path_title(free.key.path), free.format_value(*estimate, 4) + &sd]
+            [path_title(free.key.path()), free.format_value(*estimate, 4) + &sd]
         });
         let title = format!("{} and the fitted law", path_title(quantity.name()));
         Chart::new(title, self.axes.clone(), series).with_notes(notes)
@@ -242,7 +242,7 @@ impl<'a> FittedQuantity<'a> {
     }
 
     /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
-    fn impacts_along(&self, key: &'static NumericKey) -> (MeasurementData, Vec<f64>) {
+    fn impacts_along(&self, key: NumericKey) -> (MeasurementData, Vec<f64>) {
         let data = self.calibration.fit.problem.data;
         let (from, to) = min_max(self.sampled.iter().map(|value| data.rows[data.values[*value].row].keys[0]));
         let range = FreeKey { key, from, to, is_logarithmic: needs_log_axis(&self.points), hardness: None };
@@ -250,7 +250,7 @@ impl<'a> FittedQuantity<'a> {
             (0..=LINE_PIECES).map(|i| range.value_at_share(f64::from(i) / f64::from(LINE_PIECES))).collect();
         let rows = at.iter().map(|value| MeasurementRow { keys: vec![*value], ..MeasurementRow::default() }).collect();
         let data = MeasurementData { name: String::new(), keys: vec![key], rows, values: self.unit_values(at.len()) };
-        (data, at.into_iter().map(key.quantity.picture_unit().1).collect())
+        (data, at.into_iter().map(key.quantity().picture_unit().1).collect())
     }
 }
 

@@ -140,7 +140,7 @@ pub fn path_title(path: &str) -> String {
 }
 
 /// The axis of a key. Its values are those of [`crate::scenario::keys::Quantity::picture_unit`].
-pub(crate) fn key_axis(key: &NumericKey, is_logarithmic: bool) -> Axis {
-    let axis = Axis::linear(&path_title(key.path), key.quantity.picture_unit().0);
+pub(crate) fn key_axis(key: NumericKey, is_logarithmic: bool) -> Axis {
+    let axis = Axis::linear(&path_title(key.path()), key.quantity().picture_unit().0);
     if is_logarithmic { axis.logarithmic() } else { axis }
 }

@@ -17,8 +17,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
     let mut series = vec![Series::line("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).with_style(to_peak)];
     let branches = loops::impact_loop(impact)
         .ok_or_else(|| Error::failed("force against indentation needs a trace: run the impact with samples"))?;
-    let (drawn, of_sphere) = loops::split_by_width(&branches);
-    series.extend(drawn);
+    series.extend(loops::indentation_loops(&branches));
     if is_damped(impact) {
         let of_law = trace.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
         // the other curves include the damping
@@ -41,8 +40,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
     // without dent and damping, unloading lies on loading
     let has_two = impact.row.has_dent() || is_damped(impact);
     let branches: &[&str] = if has_two { &["loading", "unloading"] } else { &["loading and unloading"] };
-    let chart = Chart::new(title(impact), [x, y], series).with_branches(branches);
-    Ok(loops::with_sphere_panel(chart, of_sphere))
+    Ok(Chart::new(title(impact), [x, y], series).with_branches(branches))
 }
 
 pub(in crate::report) fn is_damped(impact: &Impact) -> bool {

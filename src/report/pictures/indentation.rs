@@ -9,14 +9,14 @@ use crate::units::{Dimension, format_result};
 
 pub fn indentation(tested: &[SpecimenResult]) -> Chart {
     let branches = |one: &SpecimenResult| branches(&one.indentation.trace);
-    let (series, of_sphere) = match tested {
-        [one] => loops::split_by_width(&branches(one)),
+    let series = match tested {
+        [one] => loops::indentation_loops(&branches(one)),
         several => {
             let one_loop = |(i, one): (usize, &SpecimenResult)| {
                 let name = one.specimen.name.as_deref().unwrap_or_default();
                 loops::loop_series(name, loops::loop_style(i, 4.0), &branches(one), 0)
             };
-            (several.iter().enumerate().flat_map(one_loop).collect(), Vec::new())
+            several.iter().enumerate().flat_map(one_loop).collect()
         }
     };
     let rows = || tested.iter().flat_map(|one| &one.indentation.trace);
@@ -39,8 +39,7 @@ pub fn indentation(tested: &[SpecimenResult]) -> Chart {
     let x = Axis::linear("Indentation", "m").with_range(0.0, 1.06 * deepest);
     let y = Axis::linear("Force", "N").with_range(0.0, 1.08 * strongest);
     let chart = Chart::new(title(tested), [x, y], series);
-    let chart = chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_legend_entries(entries);
-    loops::with_sphere_panel(chart, of_sphere)
+    chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_legend_entries(entries)
 }
 
 /// The loop of the trace of one half-space.

@@ -1,7 +1,7 @@
 //! Loops of force against indentation: solid where the contact loads, dashed where it unloads.
 
 use crate::impact::{Event, Impact, TraceRow};
-use crate::report::chart::{Axis, Chart, Series, Style};
+use crate::report::chart::{Series, Style};
 
 type Points = Vec<(f64, f64)>;
 
@@ -52,39 +52,11 @@ pub fn impact_loop(impact: &Impact) -> Option<LoopBranches> {
     Some(vec![(true, rows(&trace[..=turn])), (false, rows(&trace[turn..]))])
 }
 
-/// A sphere with less than this share of the largest indentation has a box of its own: its loop would be too narrow.
-const NARROW_SHARE: f64 = 0.35;
-
-/// The loops of [`INDENTATIONS`] that share the box of the approach, and those of a box for the sphere alone.
-pub fn split_by_width(branches: &LoopBranches) -> (Vec<Series>, Vec<Series>) {
-    let drawn = |i: usize| {
-        let (name, width) = INDENTATIONS[i];
-        loop_series(name, loop_style(i, width), branches, i)
-    };
-    let [approach, sphere, half_space] = [0, 1, 2].map(drawn);
-    let share = max_indentation(&sphere) / max_indentation(&approach);
-    if share == 0.0 {
-        // the half-space of a rigid sphere has the whole approach
-        (approach, Vec::new())
-    } else if share < NARROW_SHARE {
-        ([approach, half_space].concat(), sphere)
-    } else {
-        ([approach, sphere, half_space].concat(), Vec::new())
-    }
-}
-
-/// The picture with these loops of the sphere in a box of their own, if there are any.
-pub fn with_sphere_panel(chart: Chart, sphere: Vec<Series>) -> Chart {
-    if sphere.is_empty() {
-        return chart;
-    }
-    let x = Axis::linear("Indentation of the sphere", "m").with_range(0.0, 1.15 * max_indentation(&sphere));
-    chart.with_side_panel(x, sphere)
-}
-
-/// The largest indentation of a loop.
-fn max_indentation(series: &[Series]) -> f64 {
-    series.iter().flat_map(|one| &one.points).map(|at| at.0).fold(0.0, f64::max)
+/// The loops of [`INDENTATIONS`]. The half-space of a rigid sphere has the whole approach, which is then drawn alone.
+pub fn indentation_loops(branches: &LoopBranches) -> Vec<Series> {
+    let is_rigid = branches.iter().flat_map(|(_, rows)| rows).all(|([_, sphere, _], _)| *sphere == 0.0);
+    let drawn = INDENTATIONS.into_iter().enumerate().take(if is_rigid { 1 } else { INDENTATIONS.len() });
+    drawn.flat_map(|(i, (name, width))| loop_series(name, loop_style(i, width), branches, i)).collect()
 }
 
 /// The style of the loop with this number. Loops may lie on each other, so each is narrower than the one before.

@@ -7,7 +7,7 @@ use crate::report::chart::{Axis, Chart, DASHED, Marker, PALETTE, SOLID, Series, 
 
 /// The regions over both keys; `None` if they have none.
 pub fn posterior_chart(calibration: &Calibration, [first, second]: [&KeyEstimate; 2]) -> Option<Chart> {
-    let [x_unit, y_unit] = [first, second].map(|found| found.free.key.quantity.picture_unit().1);
+    let [x_unit, y_unit] = [first, second].map(|found| found.free.key.quantity().picture_unit().1);
     let mut series = Vec::new();
     for ((level, dash), name) in LEVELS.into_iter().zip([SOLID, DASHED]).zip(["region of 68 %", "region of 95 %"]) {
         for (i, outline) in calibration.fit.region(level).into_iter().enumerate() {

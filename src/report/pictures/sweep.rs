@@ -5,16 +5,16 @@ use crate::report::chart;
 
 use super::{caption, key_axis, law_title, path_title, path_words, with_captions};
 use crate::contact::law::YieldingPair;
-use crate::impact::{ImpactRow, Rebound};
+use crate::impact::ImpactRow;
 use crate::reference::quasi_static;
-use crate::report::chart::{Chart, Panel, Series, SeriesKind, heatmap, histogram};
+use crate::report::chart::{Chart, Series, SeriesKind, heatmap, histogram};
 use crate::report::chart::{Style, min_max};
-use crate::results::{ResultColumn, dimension_of, result_columns};
-use crate::scenario::plan::{AxisSetting, AxisWord, Cases, Plan, RESTITUTION, SweepAxis};
+use crate::results::{RESTITUTION, ResultColumn, dimension_of, result_columns};
+use crate::scenario::plan::{AxisSetting, AxisWord, Cases, Plan, SweepAxis};
 use crate::strings::capitalise;
 use crate::table::statistics::RunningStatistics;
 use crate::table::{Evaluator, RowFailure, Rows, Tally};
-use crate::units::{format_four_digits, format_result, quantities};
+use crate::units::format_result;
 
 /// Largest number of points of a curve: more than the pixels of a picture.
 const MAX_POINTS: u64 = 2000;
@@ -51,9 +51,6 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
         return drawn.collect();
     };
     let is_drawable = |axis: &SweepAxis| matches!(axis.setting, AxisSetting::Number { .. }) && axis.len() > 1;
-    if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && plan.pictures.is_none() {
-        return vec![("rebound".to_owned(), rebound_chart(plan, axes))];
-    }
     // the axis along which curves run: the first, unless only the second has numbers
     let along = (0..axes.len().min(2)).find(|at| is_drawable(&axes[*at]));
     let has_map = axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= MIN_MAP_AXIS);
@@ -85,32 +82,6 @@ fn compute_row(evaluator: &Evaluator, axes: &[SweepAxis], places: &[u64]) -> Opt
     rows.results.pop()
 }
 
-/// Rebound angle and spin against the angle of impact, curves by the second axis.
-fn rebound_chart(plan: &Plan, axes: &[SweepAxis]) -> Chart {
-    let evaluator = Evaluator::new(plan);
-    let at = spaced_indices(&axes[0], MAX_POINTS);
-    let curves = axes.get(1).map_or_else(|| vec![0], |second| curve_places(second, MAX_CURVES));
-    let names = axes.get(1).map_or_else(|| vec![String::new()], |second| labels(second, &curves));
-    let (mut angles, mut spins) = (Vec::new(), Vec::new());
-    for (number, curve) in curves.iter().enumerate() {
-        let rows = at
-            .iter()
-            .filter_map(|place| Some((*place, compute_row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
-        let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (axis_position(&axes[0], place), after)).collect();
-        let points = |value: fn(&Rebound) -> f64| after.iter().map(|(angle, after)| (*angle, value(after))).collect();
-        angles.push(marked_curve(names[number].clone(), points(|after| after.angle.to_degrees())).with_style(number));
-        spins.push(marked_curve("", points(|after| after.spin)).with_style(number));
-    }
-    let panels = [
-        Panel::new(chart::Axis::linear("Rebound angle", "°"), angles),
-        Panel::new(chart::Axis::linear("Spin afterwards", "rad/s"), spins),
-    ];
-    let by = axes.get(1).map_or_else(String::new, |second| format!(" by {}", axis_words(second)));
-    Chart::with_panels(format!("Oblique rebound{by}"), plot_axis(&axes[0]), panels.into())
-        .with_notes(axes.get(1).and_then(|second| note_of_others(second, curves.len())))
-        .with_notes(fixed_axis_notes(axes))
-}
-
 /// The name of an axis in words, such as "half-space yield strength".
 fn axis_words(axis: &SweepAxis) -> String {
     path_words(axis.path())
@@ -118,30 +89,23 @@ fn axis_words(axis: &SweepAxis) -> String {
 
 fn plot_axis(axis: &SweepAxis) -> chart::Axis {
     match &axis.setting {
-        AxisSetting::Number { key, .. } => key_axis(key, axis.is_logarithmic),
+        AxisSetting::Number { key, .. } => key_axis(*key, axis.is_logarithmic),
         AxisSetting::Words { path, .. } => chart::Axis::linear(&path_title(path), ""),
     }
 }
 
 /// The values at these places of an axis, with at most four digits and in one unit, as the key has them.
 fn labels(axis: &SweepAxis, places: &[u64]) -> Vec<String> {
-    let texts = |text: &dyn Fn(u64) -> String| places.iter().map(|place| text(*place)).collect();
     match &axis.setting {
         AxisSetting::Number { key, .. } => {
-            let dimension = key.quantity.dimension;
-            match key.quantity.picture_unit().0 {
-                "°" => texts(&|place| format!("{}°", format_four_digits(axis_position(axis, place)))),
-                unit if unit != dimension.si_unit() => {
-                    texts(&|place| format!("{} {unit}", format_four_digits(axis_position(axis, place))))
-                }
-                _ => quantities(&places.iter().map(|place| axis.value_at(*place)).collect::<Vec<_>>(), dimension),
-            }
+            key.quantity().picture_labels(&places.iter().map(|place| axis.value_at(*place)).collect::<Vec<_>>())
         }
         AxisSetting::Words { .. } => {
-            texts(&|place| match axis.word_values().get(usize::try_from(place).unwrap_or(0)) {
+            let name = |place: &u64| match axis.word_values().get(usize::try_from(*place).unwrap_or(0)) {
                 Some(AxisWord::Law(law)) => law_title(&law.name()),
-                _ => axis.label(place),
-            })
+                _ => axis.label(*place),
+            };
+            places.iter().map(name).collect()
         }
     }
 }
@@ -154,7 +118,7 @@ fn value_label(axis: &SweepAxis, place: u64) -> String {
 /// The value at a place of an axis, in the unit of the picture.
 fn axis_position(axis: &SweepAxis, place: u64) -> f64 {
     match &axis.setting {
-        AxisSetting::Number { key, .. } => key.quantity.picture_unit().1(axis.value_at(place)),
+        AxisSetting::Number { key, .. } => key.quantity().picture_unit().1(axis.value_at(place)),
         AxisSetting::Words { .. } => axis.value_at(place),
     }
 }
@@ -218,16 +182,12 @@ impl ResultChart<'_> {
         let most = |axis: &SweepAxis| if axis.word_values().is_empty() { MAX_CURVES } else { MAX_WORD_CURVES };
         let curves = other.map_or_else(|| vec![0], |other| curve_places(other, most(other)));
         let names = other.map_or_else(|| vec![String::new()], |other| labels(other, &curves));
-        // all laws yield at about the same speed, so one guide is enough
         let is_by_law = other.is_some_and(|other| matches!(other.word_values(), [AxisWord::Law(_), ..]));
         let is_by_speed = first.path() == "impact.speed";
-        let (mut series, mut yielding) = (Vec::new(), Vec::new());
+        let mut series = Vec::new();
         for (number, curve) in curves.iter().enumerate() {
             let places = |place: u64| if along == 0 { [place, *curve] } else { [*curve, place] };
             let points = at.iter().map(|place| (axis_position(first, *place), self.value(&places(*place)))).collect();
-            if is_by_speed && !(is_by_law && number > 0) {
-                yielding.extend(yield_speed(self.plan, other, *curve).map(|at| (number, at)));
-            }
             let mut drawn = marked_curve(names[number].clone(), points);
             if curves.len() > PLAIN_CURVES && drawn.kind == SeriesKind::Line {
                 drawn.kind = SeriesKind::LabelledLine;
@@ -236,13 +196,8 @@ impl ResultChart<'_> {
             let is_first = is_by_law && number == 0;
             series.push(if is_first { drawn.with_style(Style::new(number).with_width(7.0)) } else { drawn });
         }
-        // one guide in grey where all curves yield at the same speed
-        let is_same = yielding.iter().all(|(_, at)| (at / yielding[0].1 - 1.0).abs() < 1e-9);
-        let guide = |(number, at): &(usize, f64)| {
-            let guide = Series::vertical(*at, "yield speed");
-            if is_same { guide } else { guide.with_color(*number) }
-        };
-        let guides: Vec<Series> = yielding.iter().take(if is_same { 1 } else { usize::MAX }).map(guide).collect();
+        let shown = if is_by_law { &curves[..1] } else { &curves[..] };
+        let guides = if is_by_speed { self.yield_guides(other, shown) } else { Vec::new() };
         if is_by_speed && is_by_law && self.is_restitution() {
             series.extend(finite_element_points(self.plan, &series));
         }
@@ -262,7 +217,24 @@ impl ResultChart<'_> {
             .with_notes(fixed_axis_notes(axes))
     }
 
-    /// A column for each word of the first axis, such as a law or a material, with its value over it and in the key. A word without
+    /// The yield speeds of these curves: one guide in grey where all are the same, else one in the colour of each curve. All laws
+    /// yield at about the same speed, so one is enough for them.
+    fn yield_guides(&self, other: Option<&SweepAxis>, curves: &[u64]) -> Vec<Series> {
+        let speeds = curves
+            .iter()
+            .enumerate()
+            .filter_map(|(number, curve)| yield_speed(self.plan, other, *curve).map(|speed| (number, speed)));
+        let speeds: Vec<(usize, f64)> = speeds.collect();
+        let guide = |speed: f64| Series::vertical(speed, "yield speed");
+        if let [(_, first), ..] = speeds[..]
+            && speeds.iter().all(|(_, speed)| (speed / first - 1.0).abs() < 1e-9)
+        {
+            return vec![guide(first)];
+        }
+        speeds.into_iter().map(|(number, speed)| guide(speed).with_color(number)).collect()
+    }
+
+    /// A column for each word of the first axis, such as a law or a material, with its value in the key. A word without
     /// a value has an empty place.
     fn column_chart(&self) -> Chart {
         let (name, y) = self.axis();

@@ -46,7 +46,7 @@ fn calibration_notes(found: &Calibration) -> Vec<String> {
     let mut notes = strength_notes(&input, &contact, true, &[]);
     // a fitted strength is the strength at the strain rates of the impacts
     let is_found =
-        found.keys.iter().any(|key| Body::ALL.into_iter().any(|body| key.free.key.path == body.yield_strength()));
+        found.keys.iter().any(|key| Body::ALL.into_iter().any(|body| key.free.key.path() == body.yield_strength()));
     notes.retain(|note| !(is_found && note.starts_with(WHICH_STRENGTH)));
     notes
 }
@@ -71,9 +71,9 @@ fn result_files(
 
 fn warnings(found: &Calibration) -> Vec<String> {
     let unbounded = |key: &KeyEstimate| {
-        key.intervals
-            .is_some_and(|[_, wide]| wide.iter().any(Option::is_none))
-            .then(|| format!("The interval of {} is open: it reaches the end of the search range.", key.free.key.path))
+        key.intervals.is_some_and(|[_, wide]| wide.iter().any(Option::is_none)).then(|| {
+            format!("The interval of {} is open: it reaches the end of the search range.", key.free.key.path())
+        })
     };
     // what is left of measurements that the law itself made is rounding, with any signs
     let runs = found.runs.filter(|_| found.misfit > MIN_SCATTER);
@@ -98,9 +98,9 @@ fn warnings(found: &Calibration) -> Vec<String> {
 
 /// Warns if a fitted strength or hardness is far from the value of the material that the body names.
 fn material_doubt(key: &KeyEstimate, input: &Input) -> Option<String> {
-    let choice = input.materials().iter().find(|choice| key.free.key.path.starts_with(choice.body.table_name()))?;
+    let choice = input.materials().iter().find(|choice| key.free.key.path().starts_with(choice.body.table_name()))?;
     let hardness = choice.material.get(Property::Hardness)?.value.value;
-    let usual = match key.free.key.path {
+    let usual = match key.free.key.path() {
         path if path == choice.body.hardness() => hardness,
         path if path == choice.body.yield_strength() && input.flow_curve(choice.body).is_none() => {
             choice.material.flow_stress(hardness)
@@ -111,7 +111,7 @@ fn material_doubt(key: &KeyEstimate, input: &Input) -> Option<String> {
     (!(0.5..=2.0).contains(&ratio)).then(|| {
         format!(
             "The result may be meaningless: {} is {} times the {} of {}. Check the units of the data and of the scenario.",
-            key.free.key.path,
+            key.free.key.path(),
             format_four_digits(ratio),
             key.free.format_value(usual, 4),
             choice.material.name
@@ -126,7 +126,7 @@ fn calibrated_scenario(scenario: &Scenario, measured: &CalibrationTask, found: &
     let mut document = document.map_err(|error| Error::caused_by(ErrorKind::Input, &error))?;
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
-        let path = free.key.path;
+        let path = free.key.path();
         set(&mut document, path, free.to_scenario_text(*estimate).map_or_else(|| (*estimate).into(), Value::from));
         // a strength that impacts give is that of impacts; one of a slow indentation is not
         let bodies = Body::ALL.into_iter().filter(|_| !measured.data.is_curve());
@@ -152,7 +152,7 @@ fn calibrated_scenario(scenario: &Scenario, measured: &CalibrationTask, found: &
         speeds.sort_by(f64::total_cmp);
         set(&mut document, "impact.speed", format_exact(speeds[speeds.len() / 2], Dimension::Speed));
     }
-    let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path).collect();
+    let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path()).collect();
     Ok(format!(
         "# {}: found by {PROGRAM}. The other comments are those of {}.\n{}",
         keys.join(", "),

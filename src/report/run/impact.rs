@@ -1,6 +1,6 @@
 //! One impact.
 
-use super::outcome::{self, Outcome, RunOptions, no_result_error, output_file, warning_texts, with_summary};
+use super::outcome::{self, Outcome, RunOptions, output_file, warning_texts, with_summary};
 use crate::error::Error;
 use crate::files::{MethodProvenance, Provenance};
 use crate::impact::{Contact, Impact, ImpactError, Method};
@@ -12,9 +12,9 @@ use crate::report::text::overview::overview;
 use crate::report::text::{impact_text, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::to_fields;
-use crate::scenario::Scenario;
-use crate::scenario::input::{Input, RunKind};
+use crate::scenario::input::Input;
 use crate::scenario::keys::{restitution_interval, strength_notes};
+use crate::scenario::{Kind, Scenario, no_result_error};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
 /// to be one.
@@ -26,16 +26,14 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     let speed = input.approach().normal;
     let contact = contact.at_speed(speed).map_err(refuse)?;
     let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
-    impact.warnings.extend(scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact));
+    impact.warnings.extend(scenario.unused_key_warnings(std::slice::from_ref(&input), Kind::Impact));
     impact.warnings.extend(input.flight_warnings());
     Ok((input, contact, impact))
 }
 
 pub fn prepare(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     scenario.refuse_columns()?;
-    let input = scenario.resolve()?;
-    let contact = input.contact().map_err(|error| no_result_error(scenario, &error))?;
-    Ok((input, contact))
+    scenario.checked()
 }
 
 /// Refuses a method without a trace, which a run writes.

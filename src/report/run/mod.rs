@@ -11,8 +11,9 @@ use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Forces};
 use crate::scenario::input::Input;
 use crate::scenario::keys::key;
+pub use crate::scenario::no_result_error;
 use crate::scenario::{Kind, Scenario};
-pub use outcome::{Outcome, RunOptions, no_result_error, warning_texts};
+pub use outcome::{Outcome, RunOptions, warning_texts};
 
 /// The outcome of a scenario: with options it has all files, and without options it has the text of a check. `None` for a table, which
 /// is made row after row by [`crate::table::TableJob`].
@@ -45,7 +46,7 @@ pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
         let message = "is not supported in a DEM contact. Remove this table.";
         return Err(scenario.document.refusal(kind.name(), message));
     }
-    let input = scenario.resolve_bodies()?;
+    let (input, contact) = scenario.checked_bodies()?;
     let Forces { gravity, damping, plate, .. } = input.forces();
     let table = "The simulation adds this force itself.";
     let keys = [
@@ -66,8 +67,7 @@ pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
         return Err(scenario.document.refusal(key, message));
     }
     let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
-    let contact = input.contact().map_err(failed)?;
-    Ok((input, contact))
+    Ok((input, contact.map_err(failed)?))
 }
 
 /// The contact of [`bare_contact`], with the strength at the speed of the scenario, for codes that ask for forces one after the

@@ -2,18 +2,15 @@
 
 use serde_json::{Map, Value};
 
-use crate::contact::law::{LawChoice, LawError};
-use crate::error::{Error, ErrorKind};
+use crate::contact::law::LawChoice;
+use crate::error::Error;
 use crate::files::{LawProvenance, OutputFile, Progress, Provenance, SUMMARY_FILE};
-use crate::impact::{ImpactError, Warning};
-use crate::numerics::ode::IntegrationError;
+use crate::impact::Warning;
 use crate::report::chart::PictureFormat;
 use crate::report::text::Detail;
 use crate::report::text::files::summary_json;
 use crate::report::text::inputs::Inputs;
 use crate::scenario::Scenario;
-use crate::scenario::input::{Body, NUMERIC_KEYS, NumericKey};
-use crate::scenario::keys::Part;
 
 /// The options of a run, besides its scenario.
 #[derive(Debug, Clone, Copy)]
@@ -95,45 +92,4 @@ pub(super) fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, 
         coefficients_source: coefficients.map(|table| table.source.clone()),
     };
     Provenance { law: Some(law), ..scenario.provenance(command) }
-}
-
-/// The error of a scenario without a result. If one key is the reason, the error points at it.
-pub fn no_result_error(scenario: &Scenario, reason: &ImpactError) -> Error {
-    let speeds = ["impact.speed", "impact.drop_height", "repeat.speeds"];
-    let curves = Body::ALL.map(Body::flow_stress);
-    let key = match reason {
-        ImpactError::Law(LawError::BothFlow { .. }) => {
-            curves.into_iter().find(|key| scenario.document.contains(key)).unwrap_or("law")
-        }
-        ImpactError::Law(LawError::Exponent { .. }) => "law.plm.unloading_exponent",
-        ImpactError::Law(_) => "law",
-        ImpactError::Plate(_) | ImpactError::SmallInertia { least: None, .. } => "half_space.thickness",
-        ImpactError::Hollow(_) => "half_space.radius",
-        ImpactError::FreeUnderGravity | ImpactError::NoBall => "half_space.mass",
-        ImpactError::NoClosedForm => "solver.method",
-        ImpactError::SmallInertia { .. } => "sphere.moment_of_inertia",
-        ImpactError::TooDeep { .. } => {
-            speeds.into_iter().find(|key| scenario.document.contains(key)).unwrap_or(speeds[0])
-        }
-        ImpactError::Range(_) | ImpactError::Invalid(_) | ImpactError::Integration(_) => "",
-    };
-    let document = &scenario.document;
-    if document.contains(key) {
-        return document.refusal(key, reason.to_string());
-    }
-    match reason {
-        ImpactError::Integration(IntegrationError::StepUnderflow { .. } | IntegrationError::NotFinite { .. }) => {
-            let is_of_motion = |key: &&NumericKey| {
-                matches!(key.part, Part::Motion | Part::Forces | Part::Approach | Part::Solver)
-                    || ["sphere.radius", "sphere.diameter"].contains(&key.path)
-            };
-            let given =
-                NUMERIC_KEYS.iter().filter(is_of_motion).map(|key| key.path).filter(|path| document.contains(path));
-            let given: Vec<&str> = given.collect();
-            let text = format!("{reason} Probably one of these values has a wrong unit: {}.", given.join(", "));
-            Error::for_file(ErrorKind::Input, document.name(), text)
-        }
-        ImpactError::Integration(_) => Error::for_file(ErrorKind::Failed, document.name(), reason),
-        _ => Error::for_file(ErrorKind::Input, document.name(), reason),
-    }
 }

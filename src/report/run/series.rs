@@ -1,7 +1,7 @@
 //! Impacts one after the other.
 
 use super::impact::{check_trace_method, prepare, provenance};
-use super::outcome::{Outcome, RunOptions, no_result_error, output_file, put_notes, warning_texts, with_summary};
+use super::outcome::{Outcome, RunOptions, output_file, put_notes, warning_texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::files::Progress;
 use crate::impact::series::ImpactSeries;
@@ -14,9 +14,9 @@ use crate::report::text::notes_text;
 use crate::report::text::overview::overview;
 use crate::report::text::series as report;
 use crate::results::series::SeriesReport;
-use crate::scenario::Scenario;
-use crate::scenario::input::{Input, RunKind};
+use crate::scenario::input::Input;
 use crate::scenario::keys::strength_notes;
+use crate::scenario::{Kind, Scenario, no_result_error};
 
 /// The input of the first impact of a scenario, its contact, and the series to run.
 pub fn prepare_series(scenario: &Scenario) -> Result<(Input, Contact, ImpactSeries), Error> {
@@ -37,7 +37,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     if progress.is_stopped() {
         return Err(Error::new(ErrorKind::Stopped(130), "the series was stopped"));
     }
-    let mut idle = scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact);
+    let mut idle = scenario.unused_key_warnings(std::slice::from_ref(&input), Kind::Impact);
     idle.extend(input.flight_warnings());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(warning_texts(&idle)).collect();

@@ -1,8 +1,8 @@
 //! Summary, pictures and warnings of a table.
 
-use super::outcome::{Outcome, RunOptions, no_result_error, put_notes, warning_texts, with_summary};
-use crate::error::{Error, ErrorKind};
-use crate::files::{OutputFile, Progress, Provenance};
+use super::outcome::{Outcome, RunOptions, put_notes, warning_texts, with_summary};
+use crate::error::Error;
+use crate::files::{OutputFile, Provenance};
 use crate::impact::Contact;
 use crate::report::chart::PictureFormat;
 use crate::report::pictures::sweep::pictures;
@@ -12,12 +12,12 @@ use crate::report::text::notes_text;
 use crate::report::text::overview::overview;
 use crate::report::text::plan::plan_lines;
 use crate::report::text::sweep::{summary_fields, summary_lines};
-use crate::scenario::Scenario;
 use crate::scenario::keys::strength_notes;
 use crate::scenario::plan::Plan;
+use crate::scenario::{Scenario, no_result_error};
+use crate::table::Tally;
+pub use crate::table::compute_rows;
 use crate::table::corner_warnings::{CornerWarnings, corner_warnings};
-use crate::table::job::ordered_parallel;
-use crate::table::{Evaluator, Rows, Tally, classify};
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
@@ -26,42 +26,6 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let text = plan_lines(&plan) + &overview(&plan.input, &contact, &notes);
     Ok(Outcome { notes, ..Outcome::from_check(warnings, text, plan_fields(&plan, &contact)) })
 }
-
-/// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.
-///
-/// # Errors
-/// [`Error`] of the kind `Stopped` if the progress is asked to stop.
-pub fn compute_rows<P: Send>(
-    plan: &Plan,
-    progress: &Progress,
-    encode: impl Fn(&Rows) -> P + Sync + Send,
-    mut take: impl FnMut(P) + Send,
-) -> Result<Tally, Error> {
-    let step = if plan.row_time_us() > SLOW_ROW_US { 16 } else { 1024 };
-    let evaluator = Evaluator::new(plan);
-    let mut tally = Tally::new(plan);
-    let with_statistics = plan.statistics_columns();
-    let make = |piece: u64| {
-        if progress.is_stopped() {
-            return Err(Error::new(ErrorKind::Stopped(130), "the table was stopped"));
-        }
-        let mut rows = Rows::default();
-        evaluator.append_rows(piece * step..plan.n_cases().min((piece + 1) * step), &mut rows);
-        let counts: Vec<_> = rows.results.iter().map(|row| classify(row, &with_statistics)).collect();
-        Ok((encode(&rows), counts))
-    };
-    ordered_parallel(0..plan.n_cases().div_ceil(step), make, |(piece, counts)| {
-        take(piece);
-        for count in counts {
-            tally.push(count);
-        }
-        Ok(())
-    })?;
-    Ok(tally)
-}
-
-/// Rows that take longer than this \[µs\] are made a few at a time, so that a stop is heard soon.
-const SLOW_ROW_US: f64 = 100.0;
 
 /// The outcome of a whole table with this tally, and with the file of the table where it is one of the results.
 pub fn summarise(

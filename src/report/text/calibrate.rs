@@ -28,8 +28,8 @@ fn interval_json(ends: IntervalEnds) -> Value {
 /// `yield_strength x youngs_modulus^-0.8`.
 fn combination_text(calibration: &Calibration, exponents: &[f64]) -> String {
     let factors = calibration.keys.iter().zip(exponents).map(|(key, exponent)| match *exponent {
-        1.0 => key.free.key.path.to_owned(),
-        exponent => format!("{}^{exponent:.2}", key.free.key.path),
+        1.0 => key.free.key.path().to_owned(),
+        exponent => format!("{}^{exponent:.2}", key.free.key.path()),
     });
     factors.collect::<Vec<_>>().join(" x ")
 }
@@ -140,7 +140,7 @@ impl KeyResult<'_> {
 pub fn key_results<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
     result_specs! { |one: KeyResult<'a>|
         /// Path of the key.
-        "key": one.estimate().free.key.path;
+        "key": one.estimate().free.key.path();
         /// Name of the key as a column, with the unit of the values.
         "column": one.estimate().free.key.column_name();
         /// Range that was searched.
@@ -187,10 +187,10 @@ pub fn summary_fields(measured: &CalibrationTask, calibration: &Calibration) -> 
 /// The inputs that neither the data give nor the calibration finds.
 pub fn inputs(measured: &CalibrationTask, calibration: &Calibration) -> Inputs {
     let varies = |key: &str| {
-        calibration.keys.iter().any(|found| found.free.key.path == key)
-            || measured.data.keys.iter().any(|column| column.path == key)
+        calibration.keys.iter().any(|found| found.free.key.path() == key)
+            || measured.data.keys.iter().any(|column| column.path() == key)
             || key == "output.samples"
-            || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
+            || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path().starts_with("impact."))
     };
     let input = &calibration.fit.problem.input;
     let mut inputs = Inputs::new(input);
@@ -255,84 +255,30 @@ fn law_rows(calibration: &Calibration) -> Vec<Vec<String>> {
         }
         Err(reason) => vec![law.clone(), reason.to_string()],
     };
-    let names = calibration.keys.iter().map(|found| found.free.key.path.to_owned());
+    let names = calibration.keys.iter().map(|found| found.free.key.path().to_owned());
     let header = ["law", "AIC", "above the best"].map(str::to_owned).into_iter().chain(names).collect();
     [header].into_iter().chain(calibration.laws.iter().map(row)).collect()
 }
 
+/// A name and a value.
+type Row = [String; 2];
+
+fn row(name: &str, value: impl Into<String>) -> Row {
+    [name.to_owned(), value.into()]
+}
+
 pub fn terminal_table(calibration: &Calibration) -> String {
-    let mut rows: Vec<[String; 2]> = Vec::new();
-    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
-    for found in &calibration.keys {
-        let text = |value: f64| found.free.format_value(value, 4);
-        let sd = found
-            .sd
-            .map_or_else(String::new, |sd| format!("   sd {}", found.free.format_deviation(found.estimate, sd, 2)));
-        row(found.free.key.path, text(found.estimate) + &sd);
-        for (name, ends) in ["  68 %", "  95 %"].into_iter().zip(found.intervals.iter().flatten()) {
-            row(
-                name,
-                match *ends {
-                    [Some(low), Some(high)] => format!("{} to {}", text(low), text(high)),
-                    [Some(low), None] => format!("{} and more ({UNBOUNDED})", text(low)),
-                    [None, Some(high)] => format!("{} and less ({UNBOUNDED})", text(high)),
-                    [None, None] => UNBOUNDED.to_owned(),
-                },
-            );
-        }
-    }
-    if let Some(identifiability) = calibration
-        .identifiability
-        .as_ref()
-        .filter(|_| calibration.reason_without_intervals.is_some() && calibration.keys.len() > 1)
-    {
-        let known = combination_text(calibration, &identifiability.exponents);
-        row("best-determined combination", format!("{known} (+- {})", format_percent(identifiability.deviation)));
-    }
-    let measured =
-        calibration.fit.problem.data.measured_quantities().into_iter().map(MeasuredQuantity::name).collect::<Vec<_>>();
-    row(
-        "data",
-        format!(
-            "{} value{} of {}",
-            calibration.residuals.len(),
-            if calibration.residuals.len() == 1 { "" } else { "s" },
-            measured.join(", ")
-        ),
-    );
     let (noise, share) = noise(calibration);
     let share = share.map_or_else(String::new, |share| format!(", {} (relative)", format_percent(share)));
-    row("noise", format!("{noise}{share}"));
-    row("misfit", format!("{} rms", format_percent(calibration.misfit)));
-    if let Some(p) = calibration.p {
-        let outliers = if calibration.outliers > 0 {
-            format!(", without {} outliers", calibration.outliers)
-        } else {
-            String::new()
-        };
-        let chi_square = format_four_digits(calibration.chi_square);
-        row(
-            "chi-square",
-            format!(
-                "{chi_square} on {} degrees of freedom{outliers}, p = {}",
-                calibration.degrees_of_freedom,
-                format_four_digits(p)
-            ),
-        );
-    }
-    if let Some(runs) = calibration.runs {
-        row("runs test of residuals", format!("p = {}", format_four_digits(runs.p)));
-    }
-    if calibration.fit.minima.len() > 1 && calibration.reason_without_intervals.is_none() {
-        let second = &calibration.fit.minima[1];
-        let values = calibration.fit.problem.values(&second.shares);
-        let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.format_value(value, 4));
-        let excess = format_four_digits(second.sum - calibration.fit.best().sum);
-        row(
-            "second minimum",
-            format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")),
-        );
-    }
+    let mut rows: Vec<Row> = calibration.keys.iter().flat_map(key_rows).collect();
+    rows.extend(combination_row(calibration));
+    rows.push(data_row(calibration));
+    rows.push(row("noise", format!("{noise}{share}")));
+    rows.push(row("misfit", format!("{} rms", format_percent(calibration.misfit))));
+    rows.extend(chi_square_row(calibration));
+    let runs = calibration.runs;
+    rows.extend(runs.map(|runs| row("runs test of residuals", format!("p = {}", format_four_digits(runs.p)))));
+    rows.extend(second_minimum_row(calibration));
     let mut text = align_columns(&rows, |_| true);
     if !calibration.laws.is_empty() {
         let _ = write!(text, "\n{}", align_columns(&law_rows(calibration), |column| column == 0));
@@ -341,4 +287,57 @@ pub fn terminal_table(calibration: &Calibration) -> String {
         );
     }
     text
+}
+
+/// A key that was found, and its intervals.
+fn key_rows(found: &KeyEstimate) -> Vec<Row> {
+    let text = |value: f64| found.free.format_value(value, 4);
+    let sd = found.sd.map(|sd| format!("   sd {}", found.free.format_deviation(found.estimate, sd, 2)));
+    let estimate = row(found.free.key.path(), text(found.estimate) + &sd.unwrap_or_default());
+    let interval = |(name, ends): (&str, &[Option<f64>; 2])| {
+        let value = match *ends {
+            [Some(low), Some(high)] => format!("{} to {}", text(low), text(high)),
+            [Some(low), None] => format!("{} and more ({UNBOUNDED})", text(low)),
+            [None, Some(high)] => format!("{} and less ({UNBOUNDED})", text(high)),
+            [None, None] => UNBOUNDED.to_owned(),
+        };
+        row(name, value)
+    };
+    let intervals = ["  68 %", "  95 %"].into_iter().zip(found.intervals.iter().flatten()).map(interval);
+    [estimate].into_iter().chain(intervals).collect()
+}
+
+/// What the data say of several keys together, where they determine no single one.
+fn combination_row(calibration: &Calibration) -> Option<Row> {
+    let is_undetermined = calibration.reason_without_intervals.is_some() && calibration.keys.len() > 1;
+    let identifiability = calibration.identifiability.as_ref().filter(|_| is_undetermined)?;
+    let known = combination_text(calibration, &identifiability.exponents);
+    Some(row("best-determined combination", format!("{known} (+- {})", format_percent(identifiability.deviation))))
+}
+
+fn data_row(calibration: &Calibration) -> Row {
+    let measured = calibration.fit.problem.data.measured_quantities();
+    let measured: Vec<&str> = measured.into_iter().map(MeasuredQuantity::name).collect();
+    let count = calibration.residuals.len();
+    let plural = if count == 1 { "" } else { "s" };
+    row("data", format!("{count} value{plural} of {}", measured.join(", ")))
+}
+
+fn chi_square_row(calibration: &Calibration) -> Option<Row> {
+    let p = format_four_digits(calibration.p?);
+    let outliers = match calibration.outliers {
+        0 => String::new(),
+        outliers => format!(", without {outliers} outliers"),
+    };
+    let (chi_square, freedom) = (format_four_digits(calibration.chi_square), calibration.degrees_of_freedom);
+    Some(row("chi-square", format!("{chi_square} on {freedom} degrees of freedom{outliers}, p = {p}")))
+}
+
+fn second_minimum_row(calibration: &Calibration) -> Option<Row> {
+    let second = calibration.fit.minima.get(1).filter(|_| calibration.reason_without_intervals.is_none())?;
+    let values = calibration.fit.problem.values(&second.shares);
+    let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.format_value(value, 4));
+    let excess = format_four_digits(second.sum - calibration.fit.best().sum);
+    let values = values.collect::<Vec<_>>().join(", ");
+    Some(row("second minimum", format!("{values}, with a sum of squares {excess} higher")))
 }

@@ -4,7 +4,8 @@ use serde_json::{Map, Value};
 
 use super::files::csv_bytes;
 use super::inputs::Inputs;
-use super::{overview, terminal};
+use super::overview;
+use super::terminal::{self, Imprint};
 use crate::contact::pair::imprint_name;
 use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, SetPoint, SpecimenResult, StepResult};
@@ -158,11 +159,9 @@ pub fn terminal_table(tested: &[SpecimenResult]) -> String {
             text.push_str(name);
             text.push('\n');
         }
-        let mut rows = terminal::result_columns(&step_results(), &numbered_steps(one));
-        if let Some(point) = one.pair.yield_point {
-            let left = terminal::imprint(one.is_spring, imprint_name(point.yield_partition.flat_share));
-            terminal::replace_imprint_word(rows.iter_mut().flatten(), left);
-        }
+        let name = one.pair.yield_point.map_or("dent", |point| imprint_name(point.yield_partition.flat_share));
+        let imprint = Imprint::new(one.is_spring && one.pair.yield_point.is_some(), name);
+        let rows = terminal::result_columns(&step_results(), &numbered_steps(one), imprint);
         text.push_str(&align_columns(&rows, |_| true));
     }
     text

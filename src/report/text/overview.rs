@@ -63,7 +63,7 @@ pub fn calibration_overview(measured: &CalibrationTask, calibration: &Calibratio
         rows.push([name.to_owned(), format!("{values}, in {}", data.name)]);
     };
     for (column, key) in data.keys.iter().enumerate() {
-        range(key.path, key.quantity.dimension, data.rows.iter().map(|row| row.keys[column]).collect());
+        range(key.path(), key.quantity().dimension, data.rows.iter().map(|row| row.keys[column]).collect());
     }
     for quantity in data.measured_quantities() {
         let of_it = data.values.iter().filter(|value| value.quantity == quantity);

@@ -16,7 +16,7 @@ pub fn plan_lines(plan: &Plan) -> String {
             ("all combinations of".to_owned(), axes.iter().map(|axis| row(axis.path(), values_text(axis))).collect())
         }
         Cases::MonteCarlo { seed, variables, .. } => {
-            let rows = variables.iter().map(|variable| row(variable.key.path, distribution_text(variable)));
+            let rows = variables.iter().map(|variable| row(variable.key.path(), distribution_text(variable)));
             (format!("drawn with seed {seed} from"), rows.collect())
         }
     };
@@ -47,13 +47,13 @@ fn values_text(axis: &SweepAxis) -> String {
 
 fn distribution_text(variable: &Variable) -> String {
     let (name, parameters) = variable.distribution.name_and_parameters();
-    let [first, second] = parameters.map(|value| variable.key.quantity.display(value));
+    let [first, second] = parameters.map(|value| variable.key.quantity().display(value));
     if let Distribution::Uniform { .. } = variable.distribution {
         return format!("{name} from {first} to {second}");
     }
     let share = format_percent(variable.probability_in_range());
     format!(
         "{name}, mean {first}, sd {second}, truncated to {} (probability {share})",
-        variable.key.quantity.allowed_range()
+        variable.key.quantity().allowed_range()
     )
 }

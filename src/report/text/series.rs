@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::files::csv_bytes;
-use super::terminal::{self, Detail};
+use super::terminal::{self, Detail, Imprint};
 use crate::error::Error;
 use crate::impact::flight::trajectory::Flight;
 use crate::impact::series::{ImpactSeries, SeriesImpact, SeriesMode, SeriesResult};
@@ -93,18 +93,14 @@ pub fn terminal_table(series: &SeriesReport, detail: Detail) -> String {
     let is_shown =
         |(number, _): &(usize, &SeriesImpact)| *number <= SHOWN_IMPACTS.0 || number + SHOWN_IMPACTS.1 > hits.len();
     let shown: Vec<(usize, &SeriesImpact)> = (1..).zip(hits).filter(is_shown).collect();
-    let mut rows = terminal::result_columns(&results::impact_columns(), &shown);
+    let imprint = Imprint::new(series.contact.is_spring(), series.sequence.imprint_name());
+    let mut rows = terminal::result_columns(&results::impact_columns(), &shown, imprint);
     if shown.len() < hits.len() {
         rows.insert(SHOWN_IMPACTS.0 + 1, vec!["...".to_owned()]);
     }
     let mut about = results::series_results();
     about.retain(|result| detail == Detail::Full || result.name != "energy.balance_error");
-    let mut lines = terminal::result_lines(&about, series);
-    let texts = lines.iter_mut().flatten().chain(rows.iter_mut().flatten());
-    terminal::replace_imprint_word(
-        texts,
-        terminal::imprint(series.contact.is_spring(), series.sequence.imprint_name()),
-    );
+    let lines = terminal::result_lines(&about, series, imprint);
     align_columns(&lines, |_| true) + "\n" + &align_columns(&rows, |_| false)
 }
 

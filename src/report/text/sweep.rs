@@ -4,9 +4,8 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
-use crate::results::ResultColumn;
-use crate::results::{ResultSpec, dimension_of, result_specs, to_field_list, to_fields};
-use crate::scenario::plan::{Cases, Plan, RESTITUTION, Variable};
+use crate::results::{RESTITUTION, ResultColumn, ResultSpec, dimension_of, result_specs, to_field_list, to_fields};
+use crate::scenario::plan::{Cases, Plan, Variable};
 use crate::strings::align_columns;
 use crate::table::Tally;
 use crate::table::statistics::RestitutionStatistics;
@@ -69,13 +68,13 @@ pub fn distributions() -> Vec<ResultSpec<(ResultColumn, RestitutionStatistics)>>
 pub fn random_key_results() -> Vec<ResultSpec<Variable>> {
     result_specs! { |variable: Variable|
         /// Path of the key.
-        "key": variable.key.path;
+        "key": variable.key.path();
         /// Distribution: `uniform`, `normal` or `lognormal`.
         "distribution": variable.distribution.name_and_parameters().0;
         /// Mean and standard deviation before truncation, or the two ends; SI.
         "parameters": variable.distribution.name_and_parameters().1.to_vec();
         /// Range to which the values are truncated.
-        "truncated_to": variable.key.quantity.allowed_range();
+        "truncated_to": variable.key.quantity().allowed_range();
         /// Probability of this range before truncation.
         "kept": variable.probability_in_range();
     }

@@ -19,20 +19,6 @@ pub enum Detail {
     Full,
 }
 
-/// The results of a brief answer.
-const BRIEF_RESULTS: [&str; 10] = [
-    "restitution",
-    "restitution_interval_text",
-    "restitution_with_waves",
-    "rebound_height_m",
-    "rebound_angle_deg",
-    "contact_time_s",
-    "peak_force_N",
-    "residual_indentation_m",
-    "flat_diameter_m",
-    "dent_diameter_m",
-];
-
 pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
     let impact = single.impact;
     let is_of_the_integrator =
@@ -48,11 +34,14 @@ pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
         "dent_diameter_m" => impact.row.has_flat() && !is_shared,
         name => detail != Detail::Full && is_of_the_integrator(name),
     };
-    results.retain(|result| !is_idle(result.name) && (!is_brief || BRIEF_RESULTS.contains(&result.name)));
+    results.retain(|result| !is_idle(result.name) && (!is_brief || result.is_brief));
     let speed = ["impact speed".to_owned(), format_result(impact.speed, Dimension::Speed), String::new()];
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
-    lines.extend(self::result_lines(&results, single));
-    replace_imprint_word(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.row.imprint_name()));
+    lines.extend(self::result_lines(
+        &results,
+        single,
+        Imprint::new(single.contact.is_spring(), impact.row.imprint_name()),
+    ));
     put_measured_first(&mut lines);
     mark_doubtful(&mut lines, impact);
     align_columns(&lines, |_| true) + &notes_text(single.notes)
@@ -107,23 +96,26 @@ fn nearly_0(restitution: f64) -> String {
     format!("nearly 0 (below {above})")
 }
 
-/// The name of the imprint of an impact: dent, flat, or both. A pair of springs keeps neither.
-pub(super) fn imprint(is_spring: bool, left_behind: &str) -> &str {
-    if is_spring { SPRING } else { left_behind }
+/// What an impact leaves behind, as labels have it: dent, flat, or both; a pair of springs keeps neither.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Imprint {
+    Named(&'static str),
+    OfSprings,
 }
 
-/// In place of the word of a dent, for a law of springs.
-const SPRING: &str = "spring";
+impl Imprint {
+    pub(super) fn new(is_spring: bool, name: &'static str) -> Self {
+        if is_spring { Self::OfSprings } else { Self::Named(name) }
+    }
 
-/// Puts what an impact left behind in the place of the dent, in names: where the sphere flows too, the residual
-/// indentation is the sum of a dent and a flat on the sphere.
-pub(super) fn replace_imprint_word<'t>(texts: impl Iterator<Item = &'t mut String>, left_behind: &str) {
-    for text in texts {
-        match text.as_str() {
-            "dent depth" | "dent" if left_behind == SPRING => "residual indentation".clone_into(text),
-            "deepest dent" if left_behind == SPRING => "largest residual indentation".clone_into(text),
-            "dent" | "dent depth" | "deepest dent" => *text = text.replace("dent", left_behind),
-            _ => {}
+    /// A label of the registry, which says dent. Where the sphere flows too, the residual indentation is the sum of a dent and a
+    /// flat on the sphere.
+    fn label(self, label: &str) -> String {
+        match (self, label) {
+            (Self::OfSprings, "dent depth" | "dent") => "residual indentation".to_owned(),
+            (Self::OfSprings, "deepest dent") => "largest residual indentation".to_owned(),
+            (Self::Named(name), "dent" | "dent depth" | "deepest dent") => label.replace("dent", name),
+            _ => label.to_owned(),
         }
     }
 }
@@ -132,7 +124,7 @@ pub(super) fn replace_imprint_word<'t>(texts: impl Iterator<Item = &'t mut Strin
 pub(super) type Line = [String; 3];
 
 /// A line for every result; a label with braces adds its value to the remarks of the line above.
-pub(super) fn result_lines<T>(results: &[ResultSpec<T>], subject: &T) -> Vec<Line> {
+pub(super) fn result_lines<T>(results: &[ResultSpec<T>], subject: &T, imprint: Imprint) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     let mut whole = f64::NAN;
     for ResultSpec { format: shown, label, value, .. } in with_label(results) {
@@ -140,7 +132,7 @@ pub(super) fn result_lines<T>(results: &[ResultSpec<T>], subject: &T) -> Vec<Lin
         let Some((before, after)) = label.split_once('{') else {
             whole = value.as_f64().unwrap_or(f64::NAN);
             lines.push([
-                (*label).to_owned(),
+                imprint.label(label),
                 format_value(*shown, &value).unwrap_or_else(|| "none".to_owned()),
                 String::new(),
             ]);
@@ -161,7 +153,7 @@ pub(super) fn result_lines<T>(results: &[ResultSpec<T>], subject: &T) -> Vec<Lin
 
 /// A line of labels, and a line for every row. Results with the same label share a column; a column without values is left
 /// out.
-pub(super) fn result_columns<T>(results: &[ResultSpec<T>], rows: &[T]) -> Vec<Vec<String>> {
+pub(super) fn result_columns<T>(results: &[ResultSpec<T>], rows: &[T], imprint: Imprint) -> Vec<Vec<String>> {
     let cell = |label: &str, row: &T| {
         with_label(results).filter(|result| result.label == label).find_map(|result| {
             let value = (result.value)(row)?;
@@ -173,7 +165,8 @@ pub(super) fn result_columns<T>(results: &[ResultSpec<T>], rows: &[T]) -> Vec<Ve
     let columns = labels.into_iter().filter_map(|label| {
         let cells: Vec<Option<String>> = rows.iter().map(|row| cell(label, row)).collect();
         let is_there = cells.iter().any(Option::is_some);
-        is_there.then(|| [Some(label.to_owned())].into_iter().chain(cells).map(|cell| cell.unwrap_or("-".to_owned())))
+        is_there
+            .then(|| [Some(imprint.label(label))].into_iter().chain(cells).map(|cell| cell.unwrap_or("-".to_owned())))
     });
     let mut lines = vec![Vec::new(); rows.len() + 1];
     for column in columns {

@@ -61,20 +61,33 @@ pub fn read_open_file(path: &Path, from: impl Read, largest: u64) -> Result<Stri
 const MAX_KEY_LENGTH: usize = 200;
 const MAX_MESSAGE_LENGTH: usize = 1800;
 
-/// `key=value` from the command line.
-#[derive(Debug, Clone)]
-struct Override {
+/// A key that the command line changes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Override {
+    /// `key=value`, as after --set.
     text: String,
-    /// With dots.
-    key: String,
+    /// The option that gave it, if it is another one than --set, such as `--speed`.
+    option: Option<&'static str>,
 }
 
 impl Override {
-    fn parse(text: &str) -> Result<(Self, Change), Error> {
+    /// The key that an option of the command line stands for.
+    pub fn of_option(option: &'static str, key: &str, value: &str) -> Self {
+        Self { text: format!("{key}={value}"), option: Some(option) }
+    }
+
+    /// Overrides by their texts, `key=value`.
+    pub fn list(texts: &[impl AsRef<str>]) -> Vec<Self> {
+        texts.iter().map(|text| text.as_ref().into()).collect()
+    }
+
+    /// The change of the text.
+    fn to_change(&self) -> Result<Change, Error> {
+        let text = &self.text;
         let refuse = |problem: String| {
             let (key, value) = text.split_once('=').unwrap_or((text, ""));
             let [key, value] = [key, value].map(|part| Some(part.to_owned()).filter(|part| !part.is_empty()));
-            let error_at = Error::input(format!("--set {text}: {problem}"));
+            let error_at = Error::input(format!("{}: {problem}", self.as_given()));
             error_at.with_details(Details { message: Some(problem), key, value, ..Details::default() })
         };
         let (key, value) = text
@@ -86,8 +99,31 @@ impl Override {
                 "contains a line break or another control character. Write one --set for each key.".to_owned(),
             ));
         }
-        let change = Change::parse(key, value).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
-        Ok((Self { text: text.to_owned(), key: change.key() }, change))
+        Change::parse(key, value).map_err(|error| refuse(error.message().trim_end().to_owned()))
+    }
+
+    fn value(&self) -> Option<&str> {
+        self.text.split_once('=').map(|(_, value)| value)
+    }
+
+    /// As the command line has it, for messages.
+    fn as_given(&self) -> String {
+        match self.option {
+            Some(option) => format!("{option} {}", self.value().unwrap_or_default()),
+            None => format!("--set {}", self.text),
+        }
+    }
+}
+
+impl From<&str> for Override {
+    fn from(text: &str) -> Self {
+        Self { text: text.to_owned(), option: None }
+    }
+}
+
+impl From<String> for Override {
+    fn from(text: String) -> Self {
+        Self { text, option: None }
     }
 }
 
@@ -107,6 +143,8 @@ pub struct Document {
     name: String,
     text: String,
     overrides: Vec<Override>,
+    /// The keys of the overrides.
+    overridden: Vec<String>,
     /// The text with the changes of the command line, which is parsed.
     edited: String,
     spans: ValueSpans,
@@ -116,14 +154,14 @@ pub struct Document {
 
 impl Document {
     /// Parses the text of a scenario called `name` (in messages), with `key=value` overrides.
-    pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, Error> {
-        let parsed: Vec<_> = overrides.iter().map(|given| Override::parse(given)).collect::<Result<_, _>>()?;
-        let (overrides, changes): (Vec<_>, Vec<_>) = parsed.into_iter().unzip();
+    pub fn new(name: String, text: String, overrides: &[Override]) -> Result<Self, Error> {
+        let changes: Vec<Change> = overrides.iter().map(Override::to_change).collect::<Result<_, _>>()?;
         let mut document = Self {
             name,
             edited: text.clone(),
             text,
-            overrides,
+            overrides: overrides.to_vec(),
+            overridden: changes.iter().map(Change::key).collect(),
             spans: ValueSpans::new(),
             file_spans: ValueSpans::new(),
         };
@@ -190,7 +228,7 @@ impl Document {
     /// The location of a span of the parsed text that belongs to a key. It is on the command line if an override gives the key or a table
     /// that holds it; otherwise in the file; otherwise at the override that gives the first key of the table.
     fn locate(&self, key: &str, span: Range<usize>) -> Option<Location> {
-        let by = |is_this: &dyn Fn(&str) -> bool| self.overrides.iter().rposition(|given| is_this(&given.key));
+        let by = |is_this: &dyn Fn(&str) -> bool| self.overridden.iter().rposition(|key| is_this(key));
         if let Some(number) = by(&|given| is_at_or_below(key, given)) {
             return Some(Location::Set(number));
         }
@@ -226,7 +264,7 @@ impl Document {
             .with_missing_key(Some(needed.as_str()).filter(|_| !table.is_empty()))
     }
 
-    /// The refusal if one of these keys is needed; `loading_leg` names other remedies.
+    /// The refusal if one of these keys is needed; `way_out` names other remedies.
     pub(super) fn missing_any_key(&self, table: &str, keys: &[&str], way_out: &str) -> Error {
         let mut names = keys.iter().map(|path| path.rsplit('.').next().unwrap_or(path));
         let first = missing_message(names.next().unwrap_or_default(), table);
@@ -252,10 +290,9 @@ impl Document {
         };
         match place {
             Some(Location::Set(number)) => {
-                let text = &self.overrides[number].text;
-                begin = format!("--set {text}");
+                begin = self.overrides[number].as_given();
                 details.file = None;
-                details.value = text.split_once('=').map(|(_, value)| value.to_owned());
+                details.value = self.overrides[number].value().map(str::to_owned);
             }
             Some(Location::File(span)) => {
                 let Excerpt { line, column, value, marked_line } = Excerpt::new(&self.text, &span);

@@ -9,7 +9,6 @@ pub(crate) mod read_input;
 pub(crate) mod reader;
 pub(in crate::scenario) mod resolve;
 pub(in crate::scenario) mod strength;
-pub(in crate::scenario) mod unused_keys;
 
 pub(crate) use body_material::{Body, BodyMaterial};
 pub use measured::MeasuredQuantity;
@@ -17,7 +16,6 @@ pub use numeric_key::{
     ALTERNATIVES, N_BODY_KEYS, N_SPHERE_KEYS, NUMERIC_KEYS, NumericKey, REQUIRED_KEYS, alternative_to,
     without_axis_table,
 };
-pub use unused_keys::{RunKind, unused_reason};
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -4,34 +4,16 @@
 use std::sync::LazyLock;
 
 use super::Input;
-use crate::scenario::keys::{ALL_KEYS, KeyId, NUMBER, Part, Quantity};
+use crate::scenario::keys::{ALL_KEYS, KeyId, NUMBER, Part};
 
-/// A numeric key of an impact, which may vary: as an axis, as a random variable, or as a free key of a calibration.
-#[derive(Debug, PartialEq)]
-pub struct NumericKey {
-    /// With dots: `impact.speed`.
-    pub path: &'static str,
-    pub part: Part,
-    /// Dimension and allowed range.
-    pub quantity: &'static Quantity,
-    /// A word that may replace the number.
-    pub alternative_word: Option<&'static str>,
-    id: KeyId<NUMBER>,
-}
+/// A numeric key of an impact, which may vary: as an axis, as a random variable, or as a free key of a calibration. It is its
+/// place in the list of keys, which has all else about it.
+pub type NumericKey = KeyId<NUMBER>;
 
 /// All numeric keys of the scene of an impact, in the order of the file.
 pub static NUMERIC_KEYS: LazyLock<Vec<NumericKey>> = LazyLock::new(|| {
     let of_impact = ALL_KEYS.iter().enumerate().filter(|(_, key)| key.part != Part::Kind);
-    let numeric = of_impact.filter_map(|(place, key)| Some((key, key.number()?, KeyId::new(place)?)));
-    numeric
-        .map(|(key, (quantity, word), at)| NumericKey {
-            path: key.path,
-            part: key.part,
-            quantity,
-            alternative_word: word,
-            id: at,
-        })
-        .collect()
+    of_impact.filter_map(|(place, _)| KeyId::new(place)).collect()
 });
 
 /// Alternative keys: a scene has one of the two.
@@ -51,28 +33,25 @@ pub fn alternative_to(path: &str) -> Option<&'static str> {
 }
 
 impl NumericKey {
-    /// `None` if it is not given, infinite for the word.
-    pub fn get(&self, input: &Input) -> Option<f64> {
-        input.number(self.id)
+    pub fn find(path: &str) -> Option<Self> {
+        NUMERIC_KEYS.iter().copied().find(|key| key.path() == path)
     }
 
-    /// Sets a checked number, SI, or removes it. Nothing else changes.
-    pub fn set(&self, input: &mut Input, value: Option<f64>) {
-        input.set(self.id, value);
+    /// The number in an input, SI.
+    #[inline]
+    pub fn get(self, input: &Input) -> Option<f64> {
+        input.number(self)
     }
 
-    /// The name of its column in tables, with its unit: `impact_speed_m_per_s`.
-    pub fn column_name(&self) -> String {
-        format!("{}{}", self.path.replace('.', "_"), self.quantity.dimension.suffix())
-    }
-
-    pub fn find(path: &str) -> Option<&'static Self> {
-        NUMERIC_KEYS.iter().find(|key| key.path == path)
+    /// Sets a checked number, SI; `None` removes it.
+    #[inline]
+    pub fn set(self, input: &mut Input, value: Option<f64>) {
+        input.set(self, value);
     }
 
     /// Sets a checked number, SI, in an input, and removes the alternative of the key.
-    pub fn set_exclusive(&self, input: &mut Input, value: f64) {
-        if let Some(other) = alternative_to(self.path).and_then(Self::find) {
+    pub fn set_exclusive(self, input: &mut Input, value: f64) {
+        if let Some(other) = alternative_to(self.path()).and_then(Self::find) {
             other.set(input, None);
         }
         self.set(input, Some(value));

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::{Body, BodyMaterial, Input, NumericKey, Value};
 use crate::contact::body::{HalfSpace, Sphere, Support, sphere_volume};
 use crate::contact::law::LawChoice;
+use crate::contact::pair::{Pair, YieldPartition};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
@@ -42,6 +43,22 @@ impl Input {
                 ..HalfSpace::flat(self.material(Body::HalfSpace), strength)
             },
         )
+    }
+
+    /// How the yielding is divided between the bodies, if one of them yields.
+    pub fn yield_partition(&self) -> Option<YieldPartition> {
+        let (sphere, half_space) = self.bodies(&self.law());
+        Some(Pair::try_new(&sphere, &half_space).ok()?.yield_point?.yield_partition)
+    }
+
+    /// True if only the other body yields: this one is stronger by at least the factor `least`, and the other body does not harden.
+    pub fn is_harder(&self, body: Body, least: f64) -> bool {
+        let law = self.law();
+        self.yield_partition().is_some_and(|partition| {
+            partition.for_softer(Body::ALL) != body
+                && partition.ratio >= least
+                && partition.for_softer(law.flow_curves()).is_none()
+        })
     }
 
     pub fn sphere(&self) -> Sphere {

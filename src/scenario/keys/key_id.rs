@@ -1,6 +1,6 @@
 //! Keys that are named in the source: the compiler finds their paths, `key!("sphere.radius")`.
 
-use super::{ALL_KEYS, ValueForm};
+use super::{ALL_KEYS, Part, Quantity, ValueForm};
 
 /// The index of a key in the list. The kind of its value is part of the type, so the compiler refuses a value of another kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,6 +34,30 @@ impl<const KIND: u8> KeyId<KIND> {
     #[inline]
     pub const fn index(self) -> usize {
         self.0
+    }
+}
+
+impl KeyId<NUMBER> {
+    pub const fn part(self) -> Part {
+        ALL_KEYS[self.0].part
+    }
+
+    /// Dimension and allowed range.
+    pub const fn quantity(self) -> &'static Quantity {
+        match ALL_KEYS[self.0].form {
+            ValueForm::Number(quantity) | ValueForm::NumberOr(quantity, _) => quantity,
+            _ => panic!("a key of this kind is a number"),
+        }
+    }
+
+    /// A word that may replace the number.
+    pub const fn alternative_word(self) -> Option<&'static str> {
+        if let ValueForm::NumberOr(_, word) = ALL_KEYS[self.0].form { Some(word) } else { None }
+    }
+
+    /// The name of its column in tables, with its unit: `impact_speed_m_per_s`.
+    pub fn column_name(self) -> String {
+        format!("{}{}", self.path().replace('.', "_"), self.quantity().dimension.suffix())
     }
 }
 

@@ -78,26 +78,87 @@ macro_rules! strength_keys {
     };
 }
 
+/// The quantities that can be measured, by the same keys in two tables. `$rest` ends each description.
+macro_rules! measured_keys {
+    ($table:literal, $rest:literal, $restitution:ident, $leeb:ident) => {
+        key_specs! {
+            $table;
+            #[doc = " Coefficient of restitution"]
+            #[doc = $rest]
+            "restitution" of Kind: Number(&$restitution);
+            #[doc = " Rebound speed"]
+            #[doc = $rest]
+            "rebound_speed" of Kind: Number(&SPEED);
+            #[doc = " Rebound height"]
+            #[doc = $rest]
+            "rebound_height" of Kind: Number(&LENGTH);
+            #[doc = " Time from this first contact to the next"]
+            #[doc = $rest]
+            "bounce_interval" of Kind: Number(&TIME);
+            #[doc = " Leeb hardness: 1000 times the restitution"]
+            #[doc = $rest]
+            "leeb" of Kind: Number(&$leeb);
+            #[doc = " Diameter of the rim of the dent"]
+            #[doc = $rest]
+            "dent_diameter" of Kind: Number(&LENGTH);
+            #[doc = " Depth of the dent"]
+            #[doc = $rest]
+            "dent_depth" of Kind: Number(&LENGTH);
+            #[doc = " Contact time"]
+            #[doc = $rest]
+            "contact_time" of Kind: Number(&TIME);
+            #[doc = " Peak force"]
+            #[doc = $rest]
+            "peak_force" of Kind: Number(&FORCE);
+        }
+    };
+}
+
+/// The parts of the list, in the order of the reference page.
+const PARTS: [&[KeySpec]; 9] = [
+    &SPHERE_KEYS,
+    &strength_keys!("sphere.", Sphere),
+    &HALF_SPACE_KEYS,
+    &strength_keys!("half_space.", HalfSpace),
+    &OTHER_KEYS,
+    &measured_keys!(
+        "calibrate.noise.",
+        ": standard deviation, unless the data have a column of standard deviations.",
+        DEVIATION,
+        DEVIATION
+    ),
+    &CURVE_NOISE,
+    &measured_keys!(
+        "calibrate.measured.",
+        ", measured in the impact of the scenario; replaces data.",
+        RESTITUTION,
+        LEEB
+    ),
+    &INDENTATION_KEYS,
+];
+
+/// The number of keys.
+const COUNT: usize = {
+    let (mut part, mut count) = (0, 0);
+    while part < PARTS.len() {
+        count += PARTS[part].len();
+        part += 1;
+    }
+    count
+};
+
 /// All keys, in the order of the reference page.
 pub const ALL_KEYS: &[KeySpec] = &{
-    let parts: [&[KeySpec]; 5] = [
-        &SPHERE_KEYS,
-        &strength_keys!("sphere.", Sphere),
-        &HALF_SPACE_KEYS,
-        &strength_keys!("half_space.", HalfSpace),
-        &OTHER_KEYS,
-    ];
-    let mut all = [SPHERE_KEYS[0]; SPHERE_KEYS.len() + HALF_SPACE_KEYS.len() + 30 + OTHER_KEYS.len()];
+    let mut all = [SPHERE_KEYS[0]; COUNT];
     let (mut part, mut place, mut next) = (0, 0, 0);
-    while part < parts.len() {
-        if place == parts[part].len() {
+    while part < PARTS.len() {
+        if place == PARTS[part].len() {
             (part, place) = (part + 1, 0);
         } else {
-            all[next] = parts[part][place];
+            all[next] = PARTS[part][place];
             (place, next) = (place + 1, next + 1);
         }
     }
-    assert!(next == all.len());
     all
 };
 
@@ -151,7 +212,7 @@ const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
 };
 
-const OTHER_KEYS: [KeySpec; 70] = key_specs! {
+const OTHER_KEYS: [KeySpec; 45] = key_specs! {
     "";
     /// Impact speed: speed of the sphere at first contact, towards the half-space. With an angle, the magnitude of the velocity.
     "impact.speed" of Approach: Number(&SPEED);
@@ -249,44 +310,17 @@ const OTHER_KEYS: [KeySpec; 70] = key_specs! {
     "calibrate.noise" of Kind: WordOrTable(&NOISES) => "columns `_sd` of the data, else \"estimate\"";
     /// Relative model error of each value, independent between values; added in quadrature.
     "calibrate.noise.model" of Kind: Number(&MODEL_ERROR) => "0";
-    /// Standard deviation of restitution, unless the data have the column of its standard deviation.
-    "calibrate.noise.restitution" of Kind: Number(&DEVIATION);
-    /// Standard deviation of rebound_speed, unless the data have the column of its standard deviation.
-    "calibrate.noise.rebound_speed" of Kind: Number(&SPEED);
-    /// Standard deviation of rebound_height, unless the data have the column of its standard deviation.
-    "calibrate.noise.rebound_height" of Kind: Number(&LENGTH);
-    /// Standard deviation of bounce_interval, unless the data have the column of its standard deviation.
-    "calibrate.noise.bounce_interval" of Kind: Number(&TIME);
-    /// Standard deviation of leeb, unless the data have the column of its standard deviation.
-    "calibrate.noise.leeb" of Kind: Number(&DEVIATION);
-    /// Standard deviation of dent_diameter, unless the data have the column of its standard deviation.
-    "calibrate.noise.dent_diameter" of Kind: Number(&LENGTH);
-    /// Standard deviation of dent_depth, unless the data have the column of its standard deviation.
-    "calibrate.noise.dent_depth" of Kind: Number(&LENGTH);
-    /// Standard deviation of contact_time, unless the data have the column of its standard deviation.
-    "calibrate.noise.contact_time" of Kind: Number(&TIME);
-    /// Standard deviation of peak_force, unless the data have the column of its standard deviation.
-    "calibrate.noise.peak_force" of Kind: Number(&FORCE);
-    /// Standard deviation of force, unless the data have the column of its standard deviation.
+};
+
+/// Noise of an indentation curve, which is no measurement of an impact.
+const CURVE_NOISE: [KeySpec; 1] = key_specs! {
+    "";
+    /// Force of an indentation curve; its standard deviation, where the data have no column for it.
     "calibrate.noise.force" of Kind: Number(&FORCE);
-    /// Measured restitution in the impact of the scenario; replaces data.
-    "calibrate.measured.restitution" of Kind: Number(&RESTITUTION);
-    /// Measured rebound speed in the impact of the scenario; replaces data.
-    "calibrate.measured.rebound_speed" of Kind: Number(&SPEED);
-    /// Measured rebound height in the impact of the scenario; replaces data.
-    "calibrate.measured.rebound_height" of Kind: Number(&LENGTH);
-    /// Measured time from this first contact to the next; replaces data.
-    "calibrate.measured.bounce_interval" of Kind: Number(&TIME);
-    /// Measured Leeb hardness (1000 times the restitution) in the impact of the scenario; replaces data.
-    "calibrate.measured.leeb" of Kind: Number(&LEEB);
-    /// Measured diameter of the rim of the dent in the impact of the scenario; replaces data.
-    "calibrate.measured.dent_diameter" of Kind: Number(&LENGTH);
-    /// Measured depth of the dent in the impact of the scenario; replaces data.
-    "calibrate.measured.dent_depth" of Kind: Number(&LENGTH);
-    /// Measured contact time in the impact of the scenario; replaces data.
-    "calibrate.measured.contact_time" of Kind: Number(&TIME);
-    /// Measured peak force in the impact of the scenario; replaces data.
-    "calibrate.measured.peak_force" of Kind: Number(&FORCE);
+};
+
+const INDENTATION_KEYS: [KeySpec; 6] = key_specs! {
+    "";
     /// Load at which the step ends.
     "indentation.steps[].load" of Kind: Number(&LOAD);
     /// Indentation at which the step ends, instead of the load.

@@ -205,7 +205,6 @@ impl Quantity {
     }
 
     /// Checks a number without quotes, in SI. An angle needs a unit, because degrees and radians are easily confused.
-    /// other.
     pub fn check_si_number(&self, value: f64) -> Result<f64, String> {
         if self.dimension == Dimension::Angle {
             return Err(format!(
@@ -249,6 +248,17 @@ impl Quantity {
             ("°", f64::to_degrees)
         } else {
             (self.dimension.si_unit(), |value| value)
+        }
+    }
+
+    /// Values in the key of a picture: in the unit of [`Self::picture_unit`], or all in one suitable unit.
+    pub fn picture_labels(&self, values: &[f64]) -> Vec<String> {
+        match self.picture_unit() {
+            (unit, _) if unit == self.dimension.si_unit() => units::quantities(values, self.dimension),
+            (unit, convert) => {
+                let space = if unit == "°" { "" } else { " " };
+                values.iter().map(|value| format!("{}{space}{unit}", format_four_digits(convert(*value)))).collect()
+            }
         }
     }
 

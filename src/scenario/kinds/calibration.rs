@@ -47,10 +47,10 @@ impl Scenario {
     /// The calibration of the scenario.
     pub fn calibration_request(&self) -> Result<CalibrationRequest, Error> {
         self.refuse_columns()?;
-        if !self.has_key("calibrate") {
+        if !self.origin("calibrate").is_given {
             return Err(self.document.refusal("", NO_TABLE_TEXT));
         }
-        let mut input = self.checked_input(N_BODY_KEYS)?;
+        let (mut input, _) = self.check_input(N_BODY_KEYS)?;
         input.set_default_method(Method::Auto);
         let free = self.free_keys(&input);
         for free in &free {
@@ -70,7 +70,7 @@ impl Scenario {
             return Err(self.document.refusal("calibrate.laws", message));
         }
         let mut deviations = self.input.numbers_of("calibrate.noise");
-        let is_estimated = self.has_key("calibrate.noise") && deviations.is_empty();
+        let is_estimated = self.origin("calibrate.noise").is_given && deviations.is_empty();
         deviations.retain(|(name, _)| name != "model");
         Ok(CalibrationRequest {
             source: self.measurements()?,
@@ -114,13 +114,13 @@ impl Scenario {
         let own = Some(material.youngs_modulus).filter(|modulus| modulus.is_finite());
         let modulus = own.unwrap_or(input.half_space().material.youngs_modulus);
         let strengths = STRENGTH_RANGE.map(|share| share * modulus);
-        let (path, [from, to]) = if self.has_key(body.hardness()) {
+        let (path, [from, to]) = if self.origin(body.hardness()).is_given {
             (body.hardness(), strengths.map(|strength| hardness_of_flow_stress(strength, &material)))
         } else {
             (body.yield_strength(), strengths)
         };
-        let free = |key: &'static NumericKey| {
-            let (from, hardness) = (from.max(key.quantity.range().0), self.hardness_scale(key));
+        let free = |key: NumericKey| {
+            let (from, hardness) = (from.max(key.quantity().range().0), self.hardness_scale(key));
             FreeKey { key, from, to, is_logarithmic: true, hardness }
         };
         NumericKey::find(path).map(free).into_iter().collect()
@@ -131,47 +131,46 @@ impl Scenario {
     fn default_body(&self, input: &Input) -> Body {
         let sphere = Body::Sphere;
         let is_given = [sphere.yield_strength(), sphere.hardness()].iter().any(|path| self.document.contains(path));
-        let is_softer =
-            || input.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.yield_partition.is_sphere));
+        let is_softer = || input.yield_partition().map(|partition| partition.is_sphere);
         let is_named = self.document.contains(Body::HalfSpace.material());
         if is_given && !is_named && is_softer() == Some(true) { sphere } else { Body::HalfSpace }
     }
 
     /// The hardness scale on which the scenario or a material gives a key, or on which the scenario gives an end of its range.
-    fn hardness_scale(&self, key: &NumericKey) -> Option<HardnessScale> {
-        let end = format!("calibrate.free.{}.from", key.path);
-        let given = [key.path, &end].into_iter().find_map(|path| self.document.written_value(path));
+    fn hardness_scale(&self, key: NumericKey) -> Option<HardnessScale> {
+        let end = format!("calibrate.free.{}.from", key.path());
+        let given = [key.path(), &end].into_iter().find_map(|path| self.document.written_value(path));
         let of_material =
-            self.input.materials().iter().flat_map(BodyMaterial::known_values).find(|(path, _)| *path == key.path);
+            self.input.materials().iter().flat_map(BodyMaterial::known_values).find(|(path, _)| *path == key.path());
         let text = given.or(of_material.map(|(_, known)| known.value.text.as_str()))?;
-        key.quantity.is_hardness.then(|| hardness::parse(text)).flatten().map(|(_, scale)| scale)
+        key.quantity().is_hardness.then(|| hardness::parse(text)).flatten().map(|(_, scale)| scale)
     }
 
     /// Refuses free keys and columns of the data that have no effect, and impacts without a speed or a mass.
     pub fn check_varied(
         &self,
         wanted: &CalibrationRequest,
-        columns: &[&'static NumericKey],
+        columns: &[NumericKey],
         is_of_impacts: bool,
     ) -> Result<(), Error> {
         let refuse = |path: &str, message: String| {
-            let is_column = columns.iter().any(|key| key.path == path);
+            let is_column = columns.iter().any(|key| key.path() == path);
             let (place, before) =
                 if is_column { ("calibrate.data", format!("its column {path} ")) } else { (path, String::new()) };
             Err(self.refusal_where_varied(place, before + &message))
         };
         let mut input = wanted.input.clone();
         let free = wanted.free.iter().map(|free| (free.key, free.from));
-        let axis = |(key, value): (&'static NumericKey, f64)| {
+        let axis = |(key, value): (NumericKey, f64)| {
             key.set_exclusive(&mut input, value);
             SweepAxis::from_numbers(key, AxisValues::List(vec![value]))
         };
         let axes = free.chain(columns.iter().map(|key| (*key, 1.0))).map(axis).collect();
         let plan = Plan::new(&input, Cases::Grid(axes));
         let paths = plan.varied_paths();
-        if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path == free.key.path)) {
+        if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path() == free.key.path())) {
             return refuse(
-                free.key.path,
+                free.key.path(),
                 "is both a fitted key and a column of the data. Remove one of the two.".to_owned(),
             );
         }

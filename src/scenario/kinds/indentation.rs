@@ -1,13 +1,13 @@
 //! `[indentation]`: quasi-static loads and indentations of a sphere, on one half-space or on several.
 
-use crate::contact::body::{HalfSpace, Material, Sphere};
+use crate::contact::body::Sphere;
 use crate::contact::law::LawChoice;
 use crate::error::Error;
 use crate::impact::Warning;
 use crate::impact::indentation::{SetPoint, Specimen};
-use crate::scenario::Scenario;
-use crate::scenario::input::{Input, RunKind};
+use crate::scenario::input::{Input, NumericKey};
 use crate::scenario::keys::{key, key_spec};
+use crate::scenario::{Kind, Scenario};
 
 /// Maximum number of rows of a trace, which is held in memory: some hundred megabytes.
 const MAX_TRACE_ROWS: usize = 1_000_000;
@@ -27,6 +27,8 @@ pub struct IndentationRequest {
 
 const STEPS_KEY: &str = "indentation.steps";
 const SPECIMENS_KEY: &str = "indentation.half_space";
+/// The list of [`SPECIMENS_KEY`] in the list of keys.
+const SPECIMEN_LIST: &str = "indentation.half_space[]";
 
 impl Scenario {
     pub fn indentation(&self) -> Result<IndentationRequest, Error> {
@@ -41,18 +43,11 @@ impl Scenario {
         }
         self.check_flow(&self.input)?;
         self.check_strength(&self.input)?;
-        let inputs: Vec<Input> =
-            specimens.iter().map(|specimen| self.input_for_specimen(&specimen.half_space)).collect();
-        let warnings = self.unused_key_warnings(&inputs, RunKind::Indentation);
+        let (names, inputs): (Vec<Option<String>>, Vec<Input>) = specimens.into_iter().unzip();
+        let warnings = self.unused_key_warnings(&inputs, Kind::Indentation);
+        let half_spaces = names.into_iter().zip(inputs.iter().map(Input::half_space));
+        let specimens = half_spaces.map(|(name, half_space)| Specimen { name, half_space }).collect();
         Ok(IndentationRequest { sphere: self.input.sphere(), specimens, law: self.input.law(), targets, warnings })
-    }
-
-    fn input_for_specimen(&self, &HalfSpace { material, yield_strength, .. }: &HalfSpace) -> Input {
-        let mut input = self.input.clone();
-        input.set(key!("half_space.youngs_modulus"), Some(material.youngs_modulus));
-        input.set(key!("half_space.poissons_ratio"), Some(material.poissons_ratio));
-        input.set(key!("half_space.yield_strength"), yield_strength);
-        input
     }
 
     fn set_points(&self) -> Result<Vec<SetPoint>, Error> {
@@ -81,35 +76,40 @@ impl Scenario {
         (1..).zip(steps).map(target).collect()
     }
 
-    fn specimens(&self) -> Result<Vec<Specimen>, Error> {
+    /// The half-spaces with their names. Each of several has the keys of one: those of its item in place of those of `[half_space]`.
+    fn specimens(&self) -> Result<Vec<(Option<String>, Input)>, Error> {
         let refuse = |message: String| Err(self.document.refusal(SPECIMENS_KEY, message));
-        if self.has_key("half_space") {
-            self.check_flow(&self.input)?;
-            return Ok(vec![Specimen { name: None, half_space: self.input.half_space() }]);
+        if self.origin("half_space").is_given {
+            return Ok(vec![(None, self.input.clone())]);
         }
-        let several = self.input.table_list("indentation.half_space[]");
+        let several = self.input.table_list(SPECIMEN_LIST);
         let Some(several) = several.filter(|several| !several.is_empty()) else {
             return Err(self.document.missing_key("", "half_space"));
         };
-        let mut specimens: Vec<Specimen> = Vec::new();
-        for (i, one) in several.iter().enumerate() {
+        let mut specimens: Vec<(Option<String>, Input)> = Vec::new();
+        for (i, item) in several.iter().enumerate() {
             let missing = |name| self.document.missing_key(&format!("{SPECIMENS_KEY}[{i}]"), name);
-            let name = one.text_value(key!("indentation.half_space[].name")).ok_or_else(|| missing("name"))?;
+            let name = item.text_value(key!("indentation.half_space[].name")).ok_or_else(|| missing("name"))?;
             if let Some(problem) = name_problem(name) {
                 return refuse(format!("number {} {problem}", i + 1));
             }
-            if specimens.iter().any(|other| other.name.as_deref() == Some(name)) {
+            if specimens.iter().any(|(other, _)| other.as_deref() == Some(name)) {
                 return refuse(format!("two are called \"{name}\". Give each a different name."));
             }
-            let modulus = one.number(key!("indentation.half_space[].youngs_modulus"));
-            let ratio = one.number(key!("indentation.half_space[].poissons_ratio"));
-            let material = Material {
-                youngs_modulus: modulus.ok_or_else(|| missing("youngs_modulus"))?,
-                poissons_ratio: ratio.ok_or_else(|| missing("poissons_ratio"))?,
-            };
-            let yield_strength = one.number(key!("indentation.half_space[].yield_strength"));
-            let half_space = HalfSpace::flat(material, yield_strength);
-            specimens.push(Specimen { name: Some(name.to_owned()), half_space });
+            let mut input = self.input.clone();
+            for (key, number) in item.numbers_of(SPECIMEN_LIST) {
+                if let Some(key) = NumericKey::find(&format!("half_space.{key}")) {
+                    key.set(&mut input, Some(number));
+                }
+            }
+            let needed = [
+                ("youngs_modulus", key!("half_space.youngs_modulus")),
+                ("poissons_ratio", key!("half_space.poissons_ratio")),
+            ];
+            if let Some((name, _)) = needed.into_iter().find(|(_, key)| key.get(&input).is_none()) {
+                return Err(missing(name));
+            }
+            specimens.push((Some(name.to_owned()), input));
         }
         Ok(specimens)
     }

@@ -2,11 +2,10 @@
 
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
-use crate::results::{ResultColumn, result_columns};
-use crate::scenario::input::RunKind;
+use crate::results::{RESTITUTION, ResultColumn, result_columns};
 use crate::scenario::keys::{KeyId, OTHER, key};
 use crate::scenario::plan::read_axes::{METHOD_KEY, RandomKeys};
-use crate::scenario::plan::{Cases, MAX_CASES, Plan, RESTITUTION};
+use crate::scenario::plan::{Cases, MAX_CASES, Plan};
 use crate::scenario::{Kind, Scenario};
 
 impl Scenario {
@@ -30,7 +29,7 @@ impl Scenario {
             Cases::Grid(axes)
         };
         let mut plan = Plan::new(&input, cases);
-        plan.warnings = self.unused_key_warnings(&plan.inputs_of_word_axes(), RunKind::Impact);
+        plan.warnings = self.unused_key_warnings(&plan.inputs_of_word_axes(), Kind::Impact);
         self.select_columns(&mut plan)?;
         plan.pictures = self.selected_results("output.picture", key!("output.picture"), &plan)?;
         if let (Some(columns), Some(pictures)) = (&mut plan.columns, &plan.pictures)
@@ -49,11 +48,11 @@ impl Scenario {
             && let Some(variable) =
                 variables.iter().find(|variable| variable.probability_in_range() < MIN_PROBABILITY_IN_RANGE)
         {
-            let allowed = variable.key.quantity.allowed_range();
+            let allowed = variable.key.quantity().allowed_range();
             let message = format!(
                 "less than {MIN_PROBABILITY_IN_RANGE} of the distribution lies in the allowed range, {allowed}. Change the distribution."
             );
-            return refuse(variable.key.path, message);
+            return refuse(variable.key.path(), message);
         }
         if plan.n_cases() > MAX_CASES {
             return refuse(
@@ -77,8 +76,7 @@ impl Scenario {
         let mut chosen = Vec::new();
         for ResultColumn { name, needs, .. } in result_columns() {
             let count = names.iter().filter(|given| *given == name).count();
-            let missing = plan.column_refusal(needs).filter(|_| count > 0);
-            if let Some(reason) = missing {
+            if let (true, Some(reason)) = (count > 0, plan.column_refusal(needs)) {
                 return Err(self.document.refusal(key, format!("\"{name}\" is not available: {reason}.")));
             }
             if count > 1 {

@@ -61,7 +61,7 @@ impl AxisValues {
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxisSetting {
     Number {
-        key: &'static NumericKey,
+        key: NumericKey,
         values: AxisValues,
     },
     /// A key with words as values.
@@ -103,12 +103,12 @@ pub struct SweepAxis {
 
 impl SweepAxis {
     /// An axis of a numeric key.
-    pub fn from_numbers(key: &'static NumericKey, values: AxisValues) -> Self {
+    pub fn from_numbers(key: NumericKey, values: AxisValues) -> Self {
         let is_logarithmic = matches!(values, AxisValues::Spaced { log10_ends: Some(_), .. });
         let is_even = matches!(values, AxisValues::Spaced { log10_ends: None, .. });
         Self {
             setting: AxisSetting::Number { key, values: values.into_list() },
-            part: key.part,
+            part: key.part(),
             is_logarithmic,
             is_even,
         }
@@ -136,7 +136,7 @@ impl SweepAxis {
     /// The key, as in the file.
     pub fn path(&self) -> &'static str {
         match &self.setting {
-            AxisSetting::Number { key, .. } => key.path,
+            AxisSetting::Number { key, .. } => key.path(),
             AxisSetting::Words { path, .. } => path,
         }
     }
@@ -161,7 +161,7 @@ impl SweepAxis {
     #[allow(clippy::cast_possible_truncation)] // lists of words are short
     pub fn label(&self, i: u64) -> String {
         match &self.setting {
-            AxisSetting::Number { key, values } => key.quantity.display(values.value_at(i)),
+            AxisSetting::Number { key, values } => key.quantity().display(values.value_at(i)),
             AxisSetting::Words { words, .. } => words[i as usize].name(),
         }
     }

@@ -8,7 +8,7 @@ use crate::units::{Dimension, format_exact, format_input, format_number};
 /// A free key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeKey {
-    pub key: &'static NumericKey,
+    pub key: NumericKey,
     /// The lower end of its range, SI.
     pub from: f64,
     /// The upper end of its range, SI.
@@ -41,7 +41,7 @@ impl FreeKey {
 
     /// A value of the key with `digits` digits in a fitting unit; a hardness on its scale, with the pressure beside it.
     pub fn format_value(&self, value: f64, digits: usize) -> String {
-        let pressure = format_input(round_to_digits(value, digits), self.key.quantity.dimension);
+        let pressure = format_input(round_to_digits(value, digits), self.key.quantity().dimension);
         match self.hardness_number(value) {
             Some((value, scale)) => {
                 format!("{} {} ({pressure})", format_number(round_to_digits(value, digits)), scale.name())
@@ -56,13 +56,13 @@ impl FreeKey {
             Some(((value, scale), (more, _))) => {
                 format!("{} {}", format_number(round_to_digits(more - value, digits)), scale.name())
             }
-            None => format_input(round_to_digits(deviation, digits), self.key.quantity.dimension),
+            None => format_input(round_to_digits(deviation, digits), self.key.quantity().dimension),
         }
     }
 
     /// A value as in a scenario, with its unit and all digits; `None` for a plain number.
     pub fn to_scenario_text(&self, value: f64) -> Option<String> {
-        let dimension = self.key.quantity.dimension;
+        let dimension = self.key.quantity().dimension;
         let on_scale =
             || self.hardness_number(value).map(|(value, scale)| format!("{} {}", format_number(value), scale.name()));
         (dimension != Dimension::Ratio).then(|| on_scale().unwrap_or_else(|| format_exact(value, dimension)))

@@ -6,12 +6,12 @@ pub(crate) mod random;
 pub(in crate::scenario) mod read_axes;
 pub(in crate::scenario) mod varied;
 
-use super::input::{Body, Input, NumericKey, RunKind, unused_reason};
-use super::keys::interval::has_strength_parts;
-use super::keys::interval::law_error::has_law_error;
-use super::keys::{body_key, key};
+use super::Kind;
+use super::input::{Body, Input, NumericKey};
+use super::keys::body_key;
+use super::rules::effect::Facts;
 use crate::impact::{Method, Warning};
-use crate::results::{Requirement, ResultColumn, result_columns};
+use crate::results::{RESTITUTION, Requirement, ResultColumn, result_columns};
 pub(crate) use axis::{AxisSetting, AxisValues, AxisWord, SweepAxis};
 pub use free_key::FreeKey;
 pub(crate) use random::{Distribution, Variable, VariableSampler};
@@ -41,9 +41,6 @@ pub struct Plan {
     /// Names of the results in pictures; `None`: the results that suit the first axis.
     pub pictures: Option<Vec<&'static str>>,
 }
-
-/// A table always has this result.
-pub const RESTITUTION: &str = "restitution";
 
 /// The key of the yield strength, which may follow from a hardness.
 pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
@@ -105,8 +102,10 @@ impl Plan {
 
     pub fn result_columns(&self) -> Vec<ResultColumn> {
         let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
+        let (inputs, varied) = (self.inputs_of_word_axes(), self.varied_paths());
+        let facts = self.facts(&inputs, &varied);
         let all = result_columns().into_iter();
-        all.filter(|column| self.column_refusal(column.needs).is_none() && is_wanted(column.name)).collect()
+        all.filter(|column| is_wanted(column.name) && facts.why_no_column(column.needs).is_none()).collect()
     }
 
     /// The columns whose distribution is reported, the restitution first: the columns that the scenario names among its columns or
@@ -125,50 +124,11 @@ impl Plan {
 
     /// Why a table lacks a column with this requirement; `None` if the table has it.
     pub fn column_refusal(&self, needs: Requirement) -> Option<&'static str> {
-        let input = &self.input;
-        let is_on_plate = input.forces().plate.is_some();
-        let is_free = input.number(key!("half_space.mass")).is_some();
-        match needs {
-            Requirement::Strength if !input.can_yield() => Some("no body has a yield strength, so there is no dent"),
-            Requirement::Interval if !self.has_interval() => Some(
-                "the uncertainty of the strength is unknown. Name a material, or give a hardness or strength_kind = \"proof\"",
-            ),
-            Requirement::Rate if !input.has_rate() => Some("no strain-rate model is given"),
-            Requirement::Flat if !input.has_strength(Body::Sphere) => {
-                Some("the sphere has no yield strength, so there is no flat")
-            }
-            Requirement::Flight if input.free_flight().is_none() => {
-                Some("a height requires gravity.acceleration or impact.drop_height")
-            }
-            Requirement::Density if input.number(key!("half_space.density")).is_none() => {
-                Some("elastic waves require half_space.density")
-            }
-            Requirement::Flight if is_free => Some("heights are not computed for a free target (half_space.mass)"),
-            Requirement::Density if is_free => {
-                Some("elastic waves are not computed for a free target (half_space.mass)")
-            }
-            Requirement::Target | Requirement::Struck if !is_free => {
-                Some("the target is fixed, because half_space.mass is not given")
-            }
-            Requirement::Incidence | Requirement::Struck if !input.is_oblique() => {
-                Some("friction acts only if impact.angle or sphere.spin is given")
-            }
-            Requirement::Density if is_on_plate => {
-                Some("elastic waves are not computed for a plate; use plate_loss_fraction")
-            }
-            Requirement::Thickness if !is_on_plate => {
-                Some("the target is no plate, because half_space.thickness is not given")
-            }
-            _ => None,
-        }
+        self.facts(&self.inputs_of_word_axes(), &self.varied_paths()).why_no_column(needs)
     }
 
-    /// True if some rows have an interval of e that more than the law is a part of.
-    fn has_interval(&self) -> bool {
-        if self.varied_paths().contains(&"law.plm.unloading_exponent") {
-            return false;
-        }
-        self.inputs_of_word_axes().iter().any(|input| has_law_error(&input.law()) && has_strength_parts(input))
+    fn facts<'a>(&self, inputs: &'a [Input], varied: &'a [&'static str]) -> Facts<'a> {
+        Facts { inputs, kind: if self.is_monte_carlo() { Kind::MonteCarlo } else { Kind::Sweep }, varied }
     }
 
     pub fn column_names(&self) -> Vec<String> {
@@ -184,21 +144,21 @@ impl Plan {
     pub fn varied_paths(&self) -> Vec<&'static str> {
         match &self.cases {
             Cases::Grid(axes) => axes.iter().map(SweepAxis::path).collect(),
-            Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.path).collect(),
+            Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.path()).collect(),
         }
     }
 
     /// A varied key without effect on the table, and the reason.
     pub fn unused_axis(&self) -> Option<(&'static str, String)> {
-        let (paths, cases) = (self.varied_paths(), self.inputs_of_word_axes());
-        let has_laws = paths.contains(&"law");
-        paths.into_iter().find_map(|path| {
+        let (paths, inputs) = (self.varied_paths(), self.inputs_of_word_axes());
+        let (has_laws, facts) = (paths.contains(&"law"), self.facts(&inputs, &paths));
+        paths.iter().find_map(|path| {
             let problem = if has_laws && path.starts_with("law.") && !path.starts_with("law.plm.") {
                 "cannot vary together with \"law\". Give the key in the table of its law.".to_owned()
             } else {
-                format!("has no effect: {}.", unused_reason(path, &cases, RunKind::Table)?)
+                format!("has no effect: {}.", facts.why_unused(path)?)
             };
-            Some((path, problem))
+            Some((*path, problem))
         })
     }
 

@@ -33,7 +33,7 @@ pub enum Distribution {
 /// A key with random values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
-    pub key: &'static NumericKey,
+    pub key: NumericKey,
     /// The distribution, truncated at the allowed range.
     pub distribution: Distribution,
     /// The allowed range.
@@ -44,8 +44,8 @@ pub struct Variable {
 
 impl Variable {
     /// The variable, truncated at the allowed range of its key (the ends may be infinite).
-    pub fn new(key: &'static NumericKey, distribution: Distribution) -> Self {
-        let range = key.quantity.range();
+    pub fn new(key: NumericKey, distribution: Distribution) -> Self {
+        let range = key.quantity().range();
         let cdf_range = (distribution.cdf(range.0), distribution.cdf(range.1));
         Self { key, distribution, range, cdf_range }
     }

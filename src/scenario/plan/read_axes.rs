@@ -82,7 +82,7 @@ fn read_axis(name: &TomlKey, node: &TomlValue) -> Result<SweepAxis, ValueError> 
     }
     let key = find_numeric_key(name, true)?;
     refuse_word(key, node)?;
-    Ok(SweepAxis::from_numbers(key, read_axis_values(key.quantity, node)?))
+    Ok(SweepAxis::from_numbers(key, read_axis_values(key.quantity(), node)?))
 }
 
 fn read_word_axis(
@@ -140,7 +140,7 @@ impl RandomKeys {
                     self.materials.push((body, self.variables.len()));
                 } else {
                     let key = find_numeric_key(name, false)?;
-                    self.variables.push(Variable::new(key, read_distribution(key.quantity, node)?));
+                    self.variables.push(Variable::new(key, read_distribution(key.quantity(), node)?));
                 }
             }
         }
@@ -171,7 +171,7 @@ const FREE_KEY_FORM: &str = "{ from = ..., to = ... }, and scale = \"log\" or \"
 fn read_free_key(name: &TomlKey, node: &TomlValue) -> Result<FreeKey, ValueError> {
     let key = find_numeric_key(name, false)?;
     let [from, to, scale] = table_values(node, ["from", "to", "scale"], FREE_KEY_FORM)?;
-    let end = |end: Option<_>| end.map(|end| read_number(key.quantity, None, end)).transpose();
+    let end = |end: Option<_>| end.map(|end| read_number(key.quantity(), None, end)).transpose();
     let ends = end(from)?.zip(end(to)?).filter(|(from, to)| from < to);
     let (from, to) =
         ends.ok_or_else(|| ValueError::new(node, format!("needs two ends, the lower first: {FREE_KEY_FORM}")))?;
@@ -186,12 +186,12 @@ fn read_free_key(name: &TomlKey, node: &TomlValue) -> Result<FreeKey, ValueError
 }
 
 /// Refuses the word in place of a number, because it cannot lie between numbers.
-fn refuse_word(key: &NumericKey, node: &TomlValue) -> Result<(), ValueError> {
-    let (Some(word), DeValue::Array(items)) = (key.alternative_word, node.get_ref()) else { return Ok(()) };
+fn refuse_word(key: NumericKey, node: &TomlValue) -> Result<(), ValueError> {
+    let (Some(word), DeValue::Array(items)) = (key.alternative_word(), node.get_ref()) else { return Ok(()) };
     let Some(item) = items.iter().find(|item| item.get_ref().as_str().is_some_and(|text| text.trim() == word)) else {
         return Ok(());
     };
-    let path = key.path;
+    let path = key.path();
     let message = format!(
         "\"{word}\" is no number, and an axis can contain numbers only. Make a separate table with --set {path}={word}."
     );
@@ -214,12 +214,12 @@ fn table_values<'n, 't, const N: usize>(
 }
 
 /// The numeric key of that path.
-fn find_numeric_key(name: &TomlKey, has_words: bool) -> Result<&'static NumericKey, ValueError> {
+fn find_numeric_key(name: &TomlKey, has_words: bool) -> Result<NumericKey, ValueError> {
     let path = &**name.get_ref();
     if let Some(key) = NumericKey::find(path) {
         return Ok(key);
     }
-    let paths = || NUMERIC_KEYS.iter().map(|key| key.path);
+    let paths = || NUMERIC_KEYS.iter().map(|key| key.path());
     let dotted = format!("{path}.");
     let all = known_names(path, &paths().collect::<Vec<_>>(), "numeric keys");
     let hint = match paths().find(|known| known.starts_with(&dotted)) {

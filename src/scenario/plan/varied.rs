@@ -39,8 +39,9 @@ impl VariedKeys {
     /// The keys that vary, or are to be found.
     pub(in crate::scenario) fn paths(&self) -> Vec<&'static str> {
         let axes = self.sweep.iter().flatten().map(SweepAxis::path);
-        let variables = self.monte_carlo.iter().flat_map(|random| &random.variables).map(|variable| variable.key.path);
-        let free = self.free.iter().flatten().map(|free| free.key.path);
+        let variables =
+            self.monte_carlo.iter().flat_map(|random| &random.variables).map(|variable| variable.key.path());
+        let free = self.free.iter().flatten().map(|free| free.key.path());
         axes.chain(variables).chain(free).collect()
     }
 }

@@ -3,9 +3,8 @@
 
 use crate::error::Error;
 use crate::impact::flight::free_flight::FreeFlight;
-use crate::impact::{ImpactError, PlateError};
+use crate::impact::{Contact, ImpactError, PlateError};
 use crate::scenario::Scenario;
-use crate::scenario::input::read_input::is_at_or_below;
 use crate::scenario::input::{ALTERNATIVES, Input, NUMERIC_KEYS};
 use crate::scenario::keys::key;
 use crate::units::format_four_digits;
@@ -144,23 +143,23 @@ impl Scenario {
     pub(in crate::scenario) fn check_combinations(&self) -> Vec<Error> {
         let mut refused: Vec<Error> = self.kind().err().into_iter().collect();
         for [one, other] in ALTERNATIVES {
-            if self.has_key(one) && self.has_key(other) {
+            if self.origin(one).is_given && self.origin(other).is_given {
                 refused.push(self.document.refuse_both(one, other));
             }
         }
         for table in ["friction", "gravity", "damping"] {
             let keys: Vec<&str> =
-                NUMERIC_KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
+                NUMERIC_KEYS.iter().map(|key| key.path()).filter(|path| path.starts_with(table)).collect();
             if self.document.contains(table) && !keys.iter().any(|path| self.document.contains(path)) {
                 refused.push(self.document.missing_any_key(table, &keys, "; or remove the table"));
             }
         }
         // the keys that a calibration varies are checked with the data
-        let swept = if self.has_key("calibrate") { Vec::new() } else { self.variation.paths() };
+        let swept = if self.origin("calibrate").is_given { Vec::new() } else { self.variation.paths() };
         if let Some((path, problem)) = self.conflicting_axis(&swept) {
             refused.push(self.refusal_where_varied(path, problem));
         }
-        let given = |paths: &[&'static str]| paths.iter().copied().find(|path| self.is_given_or_varies(path));
+        let given = |paths: &[&'static str]| paths.iter().copied().find(|path| self.origin(path).is_given_or_varies());
         for KeyRule { keys, other_keys: others, unless, reason: why } in RULES {
             let (Some(key), None) = (given(keys), given(unless)) else { continue };
             if let Some(other) = if others.is_empty() { Some("") } else { given(others) } {
@@ -172,15 +171,6 @@ impl Scenario {
         refused
     }
 
-    /// True if a key or a table is given, or a key of the table varies.
-    pub(in crate::scenario) fn is_given_or_varies(&self, path: &str) -> bool {
-        // a refused value is given too
-        let is_axis = |table: &&str| self.document.contains(&format!("{table}.{path}"));
-        self.has_key(path)
-            || self.variation.paths().iter().any(|varied| is_at_or_below(varied, path))
-            || ["sweep", "monte_carlo", "calibrate.free"].iter().any(is_axis)
-    }
-
     /// A refusal of a key at its position, or at the position of its axis.
     pub(in crate::scenario) fn refusal_where_varied(&self, path: &str, message: impl AsRef<str>) -> Error {
         let places = ["sweep.", "monte_carlo.", "calibrate.free.", ""].map(|table| format!("{table}{path}"));
@@ -189,8 +179,8 @@ impl Scenario {
     }
 
     /// Refuses a plate together with parts of the scene that are not computed on a plate.
-    pub(in crate::scenario) fn check_plate(&self, input: &Input) -> Result<(), Error> {
-        let contact = input.contact().ok().filter(|_| input.forces().plate.is_some());
+    pub(in crate::scenario) fn check_plate(&self, contact: &Result<Contact, ImpactError>) -> Result<(), Error> {
+        let contact = contact.as_ref().ok().filter(|contact| contact.forces().plate.is_some());
         let refuse = |error: PlateError| {
             let needed = (error == PlateError::NoDensity).then_some("half_space.density");
             self.refusal_where_varied("half_space.thickness", error.to_string()).with_missing_key(needed)
@@ -199,13 +189,17 @@ impl Scenario {
     }
 
     /// Refuses a hollow that is too narrow for a point contact, and a free target with missing values.
-    pub(in crate::scenario) fn check_target(&self, input: &Input) -> Result<(), Error> {
+    pub(in crate::scenario) fn check_target(
+        &self,
+        input: &Input,
+        contact: &Result<Contact, ImpactError>,
+    ) -> Result<(), Error> {
         let refuse = |key: &str, message: &str| Err(self.refusal_where_varied(key, message));
         let radius = input.number(key!("half_space.radius"));
         if radius == Some(0.0) {
             return refuse("half_space.radius", "must not be 0. Remove the key for a flat target.");
         }
-        if let Err(error @ ImpactError::Hollow(_)) = input.contact() {
+        if let Err(error @ ImpactError::Hollow(_)) = contact {
             return refuse("half_space.radius", &error.to_string());
         }
         let Some(mass) = input.number(key!("half_space.mass")) else { return Ok(()) };
@@ -228,7 +222,7 @@ impl Scenario {
 
     /// Refuses air with missing values, and a ball that floats in the air.
     pub(in crate::scenario) fn check_air(&self, input: &Input) -> Result<(), Error> {
-        if !self.has_key("air") {
+        if !self.origin("air").is_given {
             return Ok(());
         }
         for (key, is_missing) in [
@@ -257,7 +251,7 @@ impl Scenario {
         let varies = |path: &str| varied.contains(&path);
         // a swept diameter replaces a radius in the file
         let pairs = ALTERNATIVES.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
-        let given = pairs.into_iter().find(|(key, other)| varies(key) && self.has_key(other));
+        let given = pairs.into_iter().find(|(key, other)| varies(key) && self.origin(other).is_given);
         let refusal =
             |(key, other, is_given)| (key, format!("replaces {other}, which {is_given}. Remove one of the two."));
         let both = || ALTERNATIVES.into_iter().find(|pair| pair.iter().all(|path| varies(path)));

@@ -14,7 +14,7 @@ const RATE_EXAMPLE: &str = "johnson_cook = { c = 0.014 } or cowper_symonds = { r
 impl Scenario {
     /// Refuses two forms, a missing form, a form that lacks a number or gives no strength, and keys that cannot be combined with it.
     pub(in crate::scenario) fn check_rates(&self, input: &Input) -> Result<(), Error> {
-        let mut given = Body::ALL.into_iter().filter(|body| self.is_given_or_varies(body.rate_table()));
+        let mut given = Body::ALL.into_iter().filter(|body| self.origin(body.rate_table()).is_given_or_varies());
         given.try_for_each(|body| self.check_rate(input, body))
     }
 
@@ -34,7 +34,7 @@ impl Scenario {
             ));
         }
         let forms = ["johnson_cook", "cowper_symonds"].map(|form| format!("{table}.{form}"));
-        match forms.each_ref().map(|form| self.is_given_or_varies(form)) {
+        match forms.each_ref().map(|form| self.origin(form).is_given_or_varies()) {
             [true, true] => return Err(self.document.refuse_both(&forms[0], &forms[1])),
             [true, false] => self.check_numbers(input, &forms[0])?,
             [false, true] => self.check_numbers(input, &forms[1])?,
@@ -53,7 +53,7 @@ impl Scenario {
                 "strain-rate dependence requires the law plm, and the law is {name}. Use plm, or remove this table."
             ));
         }
-        if self.is_varied("law") {
+        if self.origin("law").varies {
             return refuse(
                 "strain-rate dependence requires the law plm. Remove this table, or the axis \"law\".".to_owned(),
             );

@@ -63,7 +63,8 @@ impl AnyScene {
 
     /// The scenario, with these overrides more.
     pub fn scenario(&self, more: &[String]) -> Result<Scenario, RefusalReason> {
-        Scenario::from_text("s.toml", "", &[self.overrides(), more.to_vec()].concat()).map_err(RefusalReason::ByKeys)
+        Scenario::from_text("s.toml", "", &Override::list(&[self.overrides(), more.to_vec()].concat()))
+            .map_err(RefusalReason::ByKeys)
     }
 
     pub fn input(&self) -> Result<Input, RefusalReason> {

@@ -13,7 +13,7 @@ fn leeb() -> String {
 }
 
 fn of_leeb(speed: f64, set: &[String]) -> f64 {
-    let scene = Scenario::load(LEEB.as_ref(), set).unwrap().resolve().unwrap();
+    let scene = Scenario::load(LEEB.as_ref(), &Override::list(set)).unwrap().resolve().unwrap();
     let impact = scene.contact().unwrap().row(speed, &Solver::AUTO).unwrap();
     impact.restitution_with_waves().unwrap_or(impact.restitution)
 }

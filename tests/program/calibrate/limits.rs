@@ -20,7 +20,7 @@ fn of_one(restitution: f64, speed: &str) -> (f64, Value) {
 /// e of the scenario at this strength.
 fn restitution(strength: f64, speed: &str) -> f64 {
     let settings = [format!("half_space.yield_strength={strength}"), format!("impact.speed={speed}")];
-    let scene = Scenario::from_text("steel", STEEL, &settings).unwrap().resolve().unwrap();
+    let scene = Scenario::from_text("steel", STEEL, &Override::list(&settings)).unwrap().resolve().unwrap();
     scene.contact().unwrap().closed_form(scene.speed()).unwrap().row.restitution
 }
 

@@ -161,15 +161,6 @@ fn titles_of_low_boxes_do_not_touch() {
     }
 }
 
-/// The box beside the loops has a title that stands alone.
-#[test]
-fn sphere_panel_names_indented_body() {
-    for format in ["svg", "narrow-svg"] {
-        let drawn = drawn_as(STEEL, "force_indentation", format);
-        assert!(has(&drawn, "Indentation of the sphere [µm]"), "{:?}", drawn.texts());
-    }
-}
-
 /// Random sizes of the sphere do not change e: a histogram of one value would be one bar, and is not drawn.
 #[test]
 fn equal_values_have_no_histogram() {

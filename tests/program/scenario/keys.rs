@@ -8,9 +8,9 @@ use std::path::Path;
 use plm_impact::impact::indentation::SetPoint;
 use plm_impact::results::TABLES;
 use plm_impact::results::impact::impact_results;
-use plm_impact::scenario::ScenarioSource;
-use plm_impact::scenario::input::{NUMERIC_KEYS, RunKind, unused_reason};
+use plm_impact::scenario::input::NUMERIC_KEYS;
 use plm_impact::scenario::keys::key_spec::{Part, ValueForm};
+use plm_impact::scenario::{Facts, ScenarioSource};
 
 use crate::common::golden::assert_golden;
 use crate::common::prelude::*;
@@ -74,15 +74,15 @@ fn key_without_effect_on_contact_says_so() {
     let (own, law) = (contact(&scene), scene.law());
     let mut kept = 0;
     for key in NUMERIC_KEYS.iter() {
-        let (low, high) = key.quantity.range();
+        let (low, high) = key.quantity().range();
         let mut changed = scene.clone();
         key.set_exclusive(
             &mut changed,
             if high.is_finite() { 0.3 * low.max(0.0) + 0.7 * high } else { low.max(0.0) + 1.0 },
         );
-        assert!(key.part.changes_contact() || contact(&changed) == own, "{}", key.path);
-        assert!(key.part.changes_law() || changed.law() == law, "{}", key.path);
-        kept += u32::from(!key.part.changes_contact());
+        assert!(key.part().changes_contact() || contact(&changed) == own, "{}", key.path());
+        assert!(key.part().changes_law() || changed.law() == law, "{}", key.path());
+        kept += u32::from(!key.part().changes_contact());
     }
     assert!(kept >= 6, "{kept}");
 }
@@ -100,15 +100,15 @@ fn every_named_file_enters_the_hash() {
 }
 
 /// Computes what this purpose needs of an input, and writes it as text with all digits.
-fn computed(input: &Input, of: RunKind) -> String {
-    if of == RunKind::Indentation {
+fn computed(input: &Input, of: Kind) -> String {
+    if of == Kind::Indentation {
         let law = input.law();
         let (sphere, half_space) = input.bodies(&law);
         let contact = StaticContact::try_new(&sphere, &half_space, law.as_contact_law());
         return format!("{:?}", contact.unwrap().indent(&[SetPoint::Load(1e4), SetPoint::Load(0.0)], None));
     }
     let contact = input.contact().unwrap();
-    if of == RunKind::Table {
+    if of == Kind::Sweep {
         format!("{:?}", contact.row(input.approach(), &input.solver()))
     } else {
         // a run writes a trace
@@ -142,19 +142,20 @@ fn every_key_has_effect_or_reason() {
     let (mut met, mut idle) = (BTreeSet::new(), BTreeSet::new());
     for scenario in scenes.iter().map(|set| read(STEEL, set)).chain([elastic]) {
         let input = scenario.resolve().unwrap();
-        for of in [RunKind::Table, RunKind::Impact, RunKind::Indentation] {
+        for of in [Kind::Sweep, Kind::Impact, Kind::Indentation] {
             let is_refused = |part| {
-                of == RunKind::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver | Part::Rate)
+                of == Kind::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver | Part::Rate)
             };
-            for key in NUMERIC_KEYS.iter().filter(|key| !is_refused(key.part)) {
+            for key in NUMERIC_KEYS.iter().filter(|key| !is_refused(key.part())) {
                 let Some(number) = key.get(&input).filter(|number| number.is_finite()) else { continue };
                 let mut changed = input.clone();
                 key.set(&mut changed, Some(0.9 * number));
-                let reason = unused_reason(key.path, std::slice::from_ref(&input), of);
+                let facts = Facts { inputs: std::slice::from_ref(&input), kind: of, varied: &[] };
+                let reason = facts.why_unused(key.path());
                 let is_idle = computed(&changed, of) == computed(&input, of);
-                assert_eq!(reason.is_some(), is_idle, "{} for {of:?}: {reason:?}, {input:?}", key.path);
-                met.insert(key.path);
-                idle.extend(reason.map(|_| (key.path, format!("{of:?}"))));
+                assert_eq!(reason.is_some(), is_idle, "{} for {of:?}: {reason:?}, {input:?}", key.path());
+                met.insert(key.path());
+                idle.extend(reason.map(|_| (key.path(), format!("{of:?}"))));
             }
         }
     }

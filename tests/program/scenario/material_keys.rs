@@ -121,7 +121,7 @@ fn key_overrides_value_of_material() {
         (number_of_key(&hammer, "sphere.mass"), hammer.sphere().material.youngs_modulus),
         (Some(5.5e-3), f64::INFINITY)
     );
-    let set = ["half_space.material=aluminium-7075-t6".to_owned(), "sphere.density=7000".to_owned()];
+    let set = ["half_space.material=aluminium-7075-t6".into(), "sphere.density=7000".into()];
     let set = Scenario::from_text("s.toml", &steel(), &set).unwrap().resolve().unwrap();
     assert_eq!((set.half_space().material.youngs_modulus, set.sphere().density), (71.7e9, 7000.0));
 }
@@ -185,7 +185,7 @@ fn material_ranges_are_drawn_by_one_line() {
         + "[monte_carlo]\nsamples = 2000\n\"half_space.material\" = \"uniform\"\n\"impact.speed\" = { uniform = [2, 4] }\n";
     let plan = Scenario::from_text("s.toml", &random, &[]).unwrap().plan().unwrap();
     let Cases::MonteCarlo { variables, .. } = &plan.cases else { panic!("{plan:?}") };
-    let drawn: Vec<&str> = variables.iter().map(|variable| variable.key.path).collect();
+    let drawn: Vec<&str> = variables.iter().map(|variable| variable.key.path()).collect();
     // S235 has one density and one Poisson's ratio, so they are not drawn
     assert_eq!(drawn, ["half_space.youngs_modulus", "half_space.hardness", "impact.speed"]);
     let ends = |place: usize| (variables[place].value(0.0), variables[place].value(1.0));
@@ -209,7 +209,7 @@ fn calibration_frees_the_strength_of_the_material() {
     let text = steel() + "[calibrate.measured]\nrestitution = 0.5\n";
     let wanted = Scenario::from_text("s.toml", &text, &[]).unwrap().calibration_request().unwrap();
     assert_eq!(
-        (number_of_key(&wanted.input, "half_space.hardness"), wanted.free[0].key.path),
+        (number_of_key(&wanted.input, "half_space.hardness"), wanted.free[0].key.path()),
         (None, "half_space.yield_strength")
     );
     assert_eq!(wanted.input.half_space().material.youngs_modulus, 210e9);

@@ -5,8 +5,7 @@ use plm_impact::scenario::input::{ALTERNATIVES, NUMERIC_KEYS};
 use crate::common::prelude::*;
 
 fn resolve(text: &str, overrides: &[&str]) -> Result<Input, Error> {
-    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-    Scenario::from_text("steel.toml", text, &overrides)?.resolve()
+    Scenario::from_text("steel.toml", text, &Override::list(overrides))?.resolve()
 }
 
 fn plm(input: &Input) -> Plm {
@@ -72,7 +71,7 @@ fn overrides_replace_alternatives_and_tables_and_remove_keys() {
     let set = |set: &[&str]| resolve(STEEL, set).unwrap();
     assert_eq!(set(&["sphere.diameter=1 cm"]), set(&["sphere.radius=none", "sphere.diameter=1 cm"]));
     for [other, own] in ALTERNATIVES {
-        let quantity = NumericKey::find(own).unwrap().quantity;
+        let quantity = NumericKey::find(own).unwrap().quantity();
         let number = quantity.parse(quantity.example.trim_matches('"')).unwrap();
         let need = if own == "impact.drop_height" { "gravity.acceleration=9.81" } else { "solver.method=auto" };
         let input = set(&[need, &format!("{own}={number}")]);
@@ -134,32 +133,32 @@ fn required_lines(path: &str) -> (Vec<String>, &'static str) {
 fn every_listed_key_is_read_from_file() {
     for key in NUMERIC_KEYS.iter() {
         let is_share =
-            ["poissons_ratio", "stiffness_ratio", "power.exponent"].iter().any(|name| key.path.ends_with(name));
+            ["poissons_ratio", "stiffness_ratio", "power.exponent"].iter().any(|name| key.path().ends_with(name));
         // a value inside of the range of the key
-        let value = match key.path {
+        let value = match key.path() {
             "solver.tolerance" => 1e-3,
             "half_space.hardness" | "sphere.hardness" => 1.25e9,
             path if path.ends_with(".johnson_cook.c") => 0.125,
             _ if is_share => 0.25,
             _ => 1.25,
         };
-        let (beside, without) = required_lines(key.path);
-        let size = if key.path == "sphere.radius" { "[sphere]" } else { "[sphere]\ndiameter = 1" };
+        let (beside, without) = required_lines(key.path());
+        let size = if key.path() == "sphere.radius" { "[sphere]" } else { "[sphere]\ndiameter = 1" };
         let text = STEEL.replace("radius = \"5 mm\"\n", "").replace("[sphere]", size);
         let text = if without.is_empty() { text } else { text.replace(without, "") };
         let beside: Vec<&str> = beside.iter().map(String::as_str).collect();
         let given = |more: &[&str]| resolve(&text, &[&beside, more].concat()).unwrap();
         // an angle always carries its unit
-        let unit = if key.path == "impact.angle" { " rad" } else { "" };
-        let by_file = given(&[&format!("{}={value}{unit}", key.path)]);
+        let unit = if key.path() == "impact.angle" { " rad" } else { "" };
+        let by_file = given(&[&format!("{}={value}{unit}", key.path())]);
         // a key of a law needs this law
-        let law = key.path.strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
-        if key.path != "sphere.radius" {
+        let law = key.path().strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
+        if key.path() != "sphere.radius" {
             let mut by_key = given(&[&format!("law.{law}={{}}")]);
             key.set_exclusive(&mut by_key, value);
-            assert_eq!(by_file, by_key, "{}", key.path);
+            assert_eq!(by_file, by_key, "{}", key.path());
         }
-        assert_eq!(key.get(&by_file), Some(value), "{}", key.path);
+        assert_eq!(key.get(&by_file), Some(value), "{}", key.path());
     }
     assert_eq!(NumericKey::find("impact.speed").unwrap().column_name(), "impact_speed_m_per_s");
     assert!(NumericKey::find("solver.method").is_none());
@@ -220,7 +219,7 @@ fn whole_numbers_of_any_base_are_read() {
     }
     // a text that the command line changes is TOML, which has 64 bits
     let large = STEEL.replace("\"3 m/s\"", "100000000000000000000");
-    let refused = Scenario::from_text("s.toml", &large, &["sphere.spin=0".to_owned()]).unwrap_err().to_string();
+    let refused = Scenario::from_text("s.toml", &large, &["sphere.spin=0".into()]).unwrap_err().to_string();
     assert!(refused.starts_with("s.toml:13:9: ") && refused.contains("100000000000000000000"), "{refused}");
 }
 
@@ -253,7 +252,7 @@ fn named_file_is_read_once() {
 fn all_errors_are_reported_with_location() {
     let text =
         STEEL.replace("\"5 mm\"", "\"5 kg\"").replace("speed =", "sped =").replace("[half_space]", "[halfspace]");
-    let message = Scenario::from_text("steel.toml", &text, &["solver.tolerance=7".to_owned()]).unwrap_err().to_string();
+    let message = Scenario::from_text("steel.toml", &text, &["solver.tolerance=7".into()]).unwrap_err().to_string();
     let places = [
         "steel.toml:2:10: sphere.radius: \"5 kg\" is a mass, but a length is needed",
         "steel.toml:7:2: halfspace: unknown table `halfspace`, did you mean `half_space`?",
@@ -282,8 +281,7 @@ fn the_hash_is_of_text_overrides_and_coefficients() {
     let hash = |text: &str, overrides: &[&str], table: &str| {
         std::fs::write(&file, text).unwrap();
         std::fs::write(&coefficients, table).unwrap();
-        let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-        Scenario::load(&file, &overrides).unwrap().sha256()
+        Scenario::load(&file, &Override::list(overrides)).unwrap().sha256()
     };
     let plain = hash(STEEL, &[], built_in);
     assert_eq!(plain.len(), 64);

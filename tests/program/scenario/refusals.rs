@@ -115,7 +115,7 @@ fn missing_parts(message: &str, parts: &[String], about: &str) -> Vec<String> {
 }
 
 fn refusal(file: &str, text: &str, overrides: &[String]) -> Option<String> {
-    match Scenario::from_text(file, text, overrides) {
+    match Scenario::from_text(file, text, &Override::list(overrides)) {
         Ok(scenario) => run::check(&scenario).err().map(|error| error.to_string()),
         Err(error) => Some(error.to_string()),
     }

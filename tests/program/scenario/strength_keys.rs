@@ -179,9 +179,8 @@ fn e_of_quenched_steels_is_biased_low() {
 fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
     let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/leeb-d.toml"));
     let nine_pieces =
-        [concat!("law.plm.coefficients=", env!("CARGO_MANIFEST_DIR"), "/tests/reference/coefficients-9.toml")
-            .to_owned()];
-    let leeb = Scenario::load(file, &nine_pieces).unwrap().resolve().unwrap();
+        [concat!("law.plm.coefficients=", env!("CARGO_MANIFEST_DIR"), "/tests/reference/coefficients-9.toml")];
+    let leeb = Scenario::load(file, &Override::list(&nine_pieces)).unwrap().resolve().unwrap();
     assert!(relative_error(restitution(&leeb), 0.549_555_148_585_249_6) < 1e-8, "{}", restitution(&leeb));
     // the same for a metal that hardens with the exponent 0.1
     let text = fs::read_to_string(file).unwrap() + "[half_space.flow_stress]\npower = { exponent = 0.1 }\n";

@@ -35,7 +35,7 @@ fn impacts() -> Vec<Drawing> {
             vec![
                 force(0, Line(BLUE), "indentation_m"),
                 force(0, Line(GREEN), "half_space_indentation_m"),
-                force(1, Line(VERMILLION), "sphere_indentation_m"),
+                force(0, Line(VERMILLION), "sphere_indentation_m"),
                 history(0, Line(PURPLE), "force_N"),
                 history(1, Line(BLUE), "indentation_m"),
                 history(1, Line(VERMILLION), "sphere_indentation_m"),
@@ -61,9 +61,10 @@ fn sweeps() -> Vec<Drawing> {
     let curve = |picture, column| {
         shown("sweep::curve_chart", picture, 0, Line(BLUE), columns("table", &[], ["impact_speed_m_per_s", column]))
     };
-    let rebound = |panel, column| {
-        shown("sweep::rebound_chart", "rebound", panel, Line(BLUE), columns("table", &[], ["impact_angle_rad", column]))
+    let rebound = |column| {
+        shown("sweep::curve_chart", column, 0, Line(BLUE), columns("table", &[], ["impact_angle_rad", column]))
     };
+    let rebounds = "[output]\npicture = [\"rebound_angle_deg\", \"rebound_spin_rad_per_s\"]\n";
     let bar = |at: f64, law: &'static str, color| {
         shown("sweep::column_chart", "restitution", 0, Area(color), move |desk| {
             let rows = table(desk, "table", &[("law", law)]);
@@ -77,8 +78,8 @@ fn sweeps() -> Vec<Drawing> {
             vec![curve("restitution", "restitution"), curve("peak_force_N", "peak_force_N")],
         ),
         drawing(
-            format!("{STEEL}{FRICTION}{angles}"),
-            vec![rebound(0, "rebound_angle_deg"), rebound(1, "rebound_spin_rad_per_s")],
+            format!("{STEEL}{FRICTION}{angles}{rebounds}"),
+            vec![rebound("rebound_angle_deg"), rebound("rebound_spin_rad_per_s")],
         ),
         drawing(
             format!("{STEEL}[sweep]\n\"law\" = [\"plm\", \"thornton\"]\n"),

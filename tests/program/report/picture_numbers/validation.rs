@@ -88,7 +88,7 @@ fn impacts() -> Vec<Shown> {
     let of = |(name, picture): (&'static str, &'static str)| {
         let parts = [
             (0, BLUE, "indentation_m"),
-            (1, VERMILLION, "sphere_indentation_m"),
+            (0, VERMILLION, "sphere_indentation_m"),
             (0, GREEN, "half_space_indentation_m"),
         ];
         parts.into_iter().flat_map(move |(panel, color, column)| {

@@ -22,7 +22,7 @@ struct Keys {
 
 /// Reads all parts of a scenario, without running it.
 fn read_all_parts(text: &str, change: &str) -> Result<(), Error> {
-    let scenario = Scenario::from_text("steel.toml", text, &[change.to_owned()])?;
+    let scenario = Scenario::from_text("steel.toml", text, &[change.into()])?;
     match scenario.kind()? {
         Kind::Indentation => scenario.indentation().map(drop),
         Kind::Sweep | Kind::MonteCarlo => scenario.plan().map(drop),
@@ -71,8 +71,7 @@ fn too_many_steps_does_not_suggest_same_method() {
 #[test]
 fn override_replaces_law_of_file() {
     let law = |own: &str, changes: &[&str]| {
-        let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
-        let scenario = Scenario::from_text("steel.toml", &format!("{STEEL}{own}"), &changes);
+        let scenario = Scenario::from_text("steel.toml", &format!("{STEEL}{own}"), &Override::list(changes));
         scenario
             .and_then(|scenario| scenario.resolve())
             .map(|scene| format!("{:?}", scene.law()))
