@@ -89,20 +89,20 @@ pub fn step_results<'a>() -> Vec<ResultSpec<StepReport<'a>>> {
         /// Energy spent on the dent in the step.
         "plastic_work_J" in Energy as "plastic work" if YIELDS: row.tested.can_yield.then_some(row.step.plastic_work);
         /// Largest force so far.
-        "peak_force_N" in Force: row.step.memory.force;
+        "peak_force_N" in Force: row.step.peak.force;
         /// Largest indentation so far.
-        "peak_indentation_m" in Length: row.step.memory.indentation;
+        "peak_indentation_m" in Length: row.step.peak.indentation;
         /// Contact radius at that indentation.
-        "peak_contact_radius_m" in Length as "contact radius": row.step.memory.contact_radius;
+        "peak_contact_radius_m" in Length as "contact radius": row.step.peak.contact_radius;
         /// Largest force over the contact area there: the hardness F/A of a nanoindentation.
-        "peak_mean_pressure_Pa" in Pressure as "hardness F/A": row.step.memory.mean_pressure;
+        "peak_mean_pressure_Pa" in Pressure as "hardness F/A": row.step.peak.mean_pressure;
         /// How much closer the bodies stay: the depth of the dent and of the flat on the sphere.
-        "residual_indentation_m" in Length as "dent depth" if YIELDS: row.tested.can_yield.then_some(row.step.memory.residual_indentation);
+        "residual_indentation_m" in Length as "dent depth" if YIELDS: row.tested.can_yield.then_some(row.step.peak.residual_indentation);
         /// Slope S of the unloading branch at its top. In a dent S/(2 a) is no measure of the modulus: it is 10 to 16 % above E*
         /// with the exponent `pressure-shape`, and up to 30 % with 3/2 (`indentation-cycles`).
-        "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": row.step.memory.unloading_stiffness;
+        "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": row.step.peak.unloading_stiffness;
         /// Exponent of the force on unloading.
-        "unloading_exponent": row.step.memory.unloading_exponent;
+        "unloading_exponent": row.step.peak.unloading_exponent;
     }
 }
 
