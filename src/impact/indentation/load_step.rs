@@ -10,7 +10,7 @@ pub(super) struct LoadStep<'a> {
     pub from: f64,
     pub to: f64,
     /// The branch from the largest state, the stroke included.
-    pub memory: Unloading,
+    pub branch: Unloading,
 }
 
 impl LoadStep<'_> {
@@ -68,6 +68,6 @@ impl LoadStep<'_> {
 
     /// The part of it that does not come back.
     pub fn plastic_work(&self) -> f64 {
-        if self.is_new_peak() { self.ground.plastic_work(&self.memory) } else { 0.0 }
+        if self.is_new_peak() { self.ground.plastic_work(&self.branch) } else { 0.0 }
     }
 }

@@ -102,9 +102,9 @@ pub struct StepWarning {
     pub warning: Warning,
 }
 
-/// The largest state of a contact so far. SI units.
+/// The largest state that a contact has reached, and the unloading from there. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct IndentationMemory {
+pub struct PeakResult {
     /// F_m \[N\].
     pub force: f64,
     /// δ_m \[m\].
@@ -139,7 +139,7 @@ pub struct StepResult {
     /// Elastic energy stored at its end \[J\].
     pub stored_energy: f64,
     /// The largest state up to its end.
-    pub memory: IndentationMemory,
+    pub peak: PeakResult,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -227,20 +227,20 @@ impl StaticContact {
             }
             let after = dent.clone().filter(|_| ground.reloading_branch_at(to).is_some());
             let after = after.unwrap_or_else(|| self.law.history_after(self.law.loaded_state(to)));
-            let stroke = LoadStep { ground, from, to, memory: after.unloading };
-            let peak = &stroke.memory.peak;
-            self.law.check(&stroke.memory).map_err(|reason| IndentationError::Outside { step: number, reason })?;
+            let stroke = LoadStep { ground, from, to, branch: after.unloading };
+            let peak = &stroke.branch.peak;
+            self.law.check(&stroke.branch).map_err(|reason| IndentationError::Outside { step: number, reason })?;
             if let Some(samples) = samples {
                 trace.extend(stroke.sampled_states(samples).map(|point| self.row(number, &stroke, point)));
             }
             let step = self.step(*target, &stroke)?;
-            let IndentationMemory { contact_radius, .. } = step.memory;
+            let PeakResult { contact_radius, .. } = step.peak;
             if contact_radius > radius {
                 return Err(IndentationError::TooWide { step: number, contact_radius, radius });
             }
             if stroke.is_new_peak() {
                 let new =
-                    peak_warnings((&self.law).into(), peak).chain(exponent_warning((&self.law).into(), &stroke.memory));
+                    peak_warnings((&self.law).into(), peak).chain(exponent_warning((&self.law).into(), &stroke.branch));
                 warnings.extend(new.map(|warning| StepWarning { step: number, warning }));
             }
             self.push_warnings(number, &step, steps.last(), &mut warnings);
@@ -269,7 +269,7 @@ impl StaticContact {
         let energy = self.units.energy();
         let end = stroke.state_at(stroke.to);
         let row = self.row(0, stroke, end);
-        let unloading = &stroke.memory;
+        let unloading = &stroke.branch;
         let peak = unloading.peak;
         let peak_force = finite_positive("peak force (N)", peak.force * force)?;
         let radius = finite_positive("contact radius (m)", self.law.contact_radius(&peak) * contact_radius)?;
@@ -282,7 +282,7 @@ impl StaticContact {
             work: stroke.work() * energy,
             plastic_work: stroke.plastic_work() * energy,
             stored_energy: unloading.stored_energy(end.0.indentation) * energy,
-            memory: IndentationMemory {
+            peak: PeakResult {
                 force: peak_force,
                 indentation: peak.indentation * length,
                 residual_indentation: peak.residual() * length,
@@ -308,7 +308,7 @@ impl StaticContact {
         let radius = self.pair.smaller_radius;
         let left_out = ignored_strength(&self.pair, &self.law, self.strengths);
         let of_step = |step: &StepResult| {
-            let IndentationMemory { contact_radius, mean_pressure, .. } = step.memory;
+            let PeakResult { contact_radius, mean_pressure, .. } = step.peak;
             let yields =
                 yielding_warning(mean_pressure, left_out, "The computed rebound of the indentation is too large");
             dent_warning(&self.law, contact_radius / radius).into_iter().chain(yields).chain(flow_warnings(&self.pair))

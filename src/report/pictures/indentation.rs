@@ -28,12 +28,12 @@ pub fn indentation(tested: &[SpecimenResult]) -> Chart {
     if let [one] = tested
         && let Some(step) = one.indentation.steps.last()
     {
-        let memory = &step.memory;
+        let peak = &step.peak;
         entries.push(
             Series::text("Largest load")
-                .with_note(format!("Fₘ = {}", format_result(memory.force, Dimension::Force)))
-                .with_note(format!("δₘ = {}", format_result(memory.indentation, Dimension::Length)))
-                .with_note(format!("δᵣ = {}", format_result(memory.residual_indentation, Dimension::Length))),
+                .with_note(format!("Fₘ = {}", format_result(peak.force, Dimension::Force)))
+                .with_note(format!("δₘ = {}", format_result(peak.indentation, Dimension::Length)))
+                .with_note(format!("δᵣ = {}", format_result(peak.residual_indentation, Dimension::Length))),
         );
     }
     let x = Axis::linear("Indentation", "m").with_range(0.0, 1.06 * deepest);
@@ -64,7 +64,7 @@ fn is_loading(row: &IndentationRow) -> bool {
 
 fn title(tested: &[SpecimenResult]) -> String {
     let strongest =
-        tested.iter().flat_map(|one| &one.indentation.steps).map(|step| step.memory.force).fold(0.0, f64::max);
+        tested.iter().flat_map(|one| &one.indentation.steps).map(|step| step.peak.force).fold(0.0, f64::max);
     let load = format_result(strongest, Dimension::Force);
     match tested {
         [one] => match &one.specimen.name {

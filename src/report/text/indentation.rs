@@ -90,20 +90,20 @@ pub fn step_results<'a>() -> Vec<ResultSpec<StepReport<'a>>> {
         /// Plastic work of the step.
         "plastic_work_J" in Energy as "plastic work" if YIELDS: row.tested.can_yield.then_some(row.step.plastic_work);
         /// Maximum force so far.
-        "peak_force_N" in Force: row.step.memory.force;
+        "peak_force_N" in Force: row.step.peak.force;
         /// Maximum indentation so far.
-        "peak_indentation_m" in Length: row.step.memory.indentation;
+        "peak_indentation_m" in Length: row.step.peak.indentation;
         /// Contact radius at the maximum indentation so far.
-        "peak_contact_radius_m" in Length as "contact radius": row.step.memory.contact_radius;
+        "peak_contact_radius_m" in Length as "contact radius": row.step.peak.contact_radius;
         /// Maximum force over its contact area: the hardness F/A of a nanoindentation.
-        "peak_mean_pressure_Pa" in Pressure as "hardness F/A": row.step.memory.mean_pressure;
+        "peak_mean_pressure_Pa" in Pressure as "hardness F/A": row.step.peak.mean_pressure;
         /// Residual indentation: dent depth plus flat depth.
-        "residual_indentation_m" in Length as "dent depth" if YIELDS: row.tested.can_yield.then_some(row.step.memory.residual_indentation);
+        "residual_indentation_m" in Length as "dent depth" if YIELDS: row.tested.can_yield.then_some(row.step.peak.residual_indentation);
         /// Unloading stiffness S at the maximum force. Do not compute the modulus from S/(2 a) of a dent: the result exceeds E* by
         /// 10 to 16 % with the exponent `pressure-shape`, and by up to 30 % with 3/2 (`indentation-cycles`).
-        "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": row.step.memory.unloading_stiffness;
+        "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": row.step.peak.unloading_stiffness;
         /// Exponent of the unloading force.
-        "unloading_exponent": row.step.memory.unloading_exponent;
+        "unloading_exponent": row.step.peak.unloading_exponent;
     }
 }
 

@@ -38,11 +38,11 @@ fn an_elastic_loop_is_hertz_to_and_fro() {
         assert!((step.indentation - depth(load)).abs() < 1e-13 * depth(30.0));
         assert!((step.force - load).abs() < 1e-12 * 30.0);
         assert!((step.stored_energy - 0.4 * load * depth(load)).abs() < 1e-12 * 30.0 * depth(30.0));
-        assert_eq!((step.plastic_work, step.memory.residual_indentation), (0.0, 0.0));
+        assert_eq!((step.plastic_work, step.peak.residual_indentation), (0.0, 0.0));
     }
     let radius = (0.25e-3 * depth(30.0)).sqrt();
-    assert!(relative_error(done.steps[0].memory.contact_radius, radius) < 1e-13);
-    assert!(relative_error(done.steps[2].memory.unloading_stiffness, 2.0 * e_star * radius) < 1e-13);
+    assert!(relative_error(done.steps[0].peak.contact_radius, radius) < 1e-13);
+    assert!(relative_error(done.steps[2].peak.unloading_stiffness, 2.0 * e_star * radius) < 1e-13);
     let branches: Vec<_> = done.steps.iter().map(|step| step.branch).collect();
     assert_eq!(branches, [Branch::Elastic, Branch::Unloading, Branch::Unloading, Branch::Reloading]);
     for row in &done.trace {
@@ -57,7 +57,7 @@ fn an_elastic_loop_is_hertz_to_and_fro() {
 fn elastic_contact_of_two_balls_follows_hertz() {
     let ball = HalfSpace { radius: Some(0.5e-3), ..alloy(77e9, None) };
     let contact = contact(&ball, UnloadingExponent::Paper);
-    let memory = steps(&contact, &[To(1e-6)])[0].memory;
+    let memory = steps(&contact, &[To(1e-6)])[0].peak;
     // a = √(R δ), F = (4/3) E* a δ
     let width = (0.5e-3 / 3.0 * 1e-6_f64).sqrt();
     let force = 4.0 / 3.0 * contact.pair().effective_modulus * width * 1e-6;
@@ -76,12 +76,12 @@ fn loop_energy_is_work_minus_recovered_energy() {
         let contact = ti_10_nb(exponent);
         let done = contact.indent(&[Load(30.0), Load(0.0)], Some(2000)).unwrap();
         let [up, down] = done.steps[..] else { panic!() };
-        let n = if n.is_nan() { up.memory.unloading_exponent } else { n };
-        let recovered = up.indentation - up.memory.residual_indentation;
+        let n = if n.is_nan() { up.peak.unloading_exponent } else { n };
+        let recovered = up.indentation - up.peak.residual_indentation;
         assert!(relative_error(up.work + down.work, up.work - 30.0 * recovered / (n + 1.0)) < 1e-13);
         assert!(relative_error(up.plastic_work, up.work + down.work) < 1e-13 && down.plastic_work == 0.0);
-        assert!(relative_error(up.memory.unloading_stiffness, n * 30.0 / recovered) < 1e-13);
-        assert!(relative_error(down.indentation, up.memory.residual_indentation) < 1e-15 && down.force == 0.0);
+        assert!(relative_error(up.peak.unloading_stiffness, n * 30.0 / recovered) < 1e-13);
+        assert!(relative_error(down.indentation, up.peak.residual_indentation) < 1e-15 && down.force == 0.0);
         // the area of the traced loop is this work: trapezoids of 2000 rows per step
         let area: f64 = done
             .trace
@@ -93,7 +93,7 @@ fn loop_energy_is_work_minus_recovered_energy() {
         let down: Vec<_> = done.trace.iter().filter(|row| row.step == 2).collect();
         let (a, b) = (down[0], down[1]);
         assert!(
-            relative_error((a.force - b.force) / (a.indentation - b.indentation), up.memory.unloading_stiffness) < 1e-3
+            relative_error((a.force - b.force) / (a.indentation - b.indentation), up.peak.unloading_stiffness) < 1e-3
         );
     }
 }
@@ -102,7 +102,7 @@ fn loop_energy_is_work_minus_recovered_energy() {
 fn no_contact_and_no_force_above_dent() {
     let contact = ti_10_nb(UnloadingExponent::Paper);
     let done = contact.indent(&[Load(20.0), To(1e-6), To(0.0), To(2e-6), Load(5.0)], Some(30)).unwrap();
-    let residual = done.steps[0].memory.residual_indentation;
+    let residual = done.steps[0].peak.residual_indentation;
     assert!(residual > 2e-6);
     for step in &done.steps[1..4] {
         assert_eq!((step.force, step.sphere_indentation, step.branch), (0.0, 0.0, Branch::Separated));
@@ -171,8 +171,8 @@ proptest! {
             // 0.12 %
             prop_assert!(step.plastic_work >= -2.4e-3 * step.work.abs());
             prop_assert!((work - plastic - step.stored_energy).abs() < 1e-12 * scale);
-            prop_assert!(step.memory.force >= largest);
-            largest = step.memory.force;
+            prop_assert!(step.peak.force >= largest);
+            largest = step.peak.force;
             match *target {
                 Load(load) => {
                     prop_assert!((step.force - load).abs() < 1e-11 * most);

@@ -99,7 +99,7 @@ fn indentation_and_impact_have_equal_contact_radius() {
             let speed = ratio * contact.yield_speed().unwrap();
             let impact = contact.closed_form(speed).unwrap();
             let step = slow.indent(&[indentation::SetPoint::Load(impact.row.peak_force)], None).unwrap().steps[0];
-            let radius = step.memory.contact_radius;
+            let radius = step.peak.contact_radius;
             assert!(
                 relative_error(radius, impact.row.peak_contact_radius) < 1e-10,
                 "{radius_ratio} {ratio}: {radius} {impact:?}"

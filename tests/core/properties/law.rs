@@ -137,33 +137,28 @@ pub fn a_slow_indentation_is_the_impact_without_motion(run: &Run) -> Judgement {
     let [up, down, again] = steps[..] else { panic!("three steps") };
     let kinetic = impact.row.kinetic_in;
     assert_close("force", up.force, impact.force_at_peak_indentation, 1e-12 * up.force)?;
-    assert_close("dent", up.memory.residual_indentation, impact.row.residual_indentation, 1e-12 * depth)?;
+    assert_close("dent", up.peak.residual_indentation, impact.row.residual_indentation, 1e-12 * depth)?;
     if impact.row.has_dent() {
         assert_close(
             "radius",
-            up.memory.contact_radius,
+            up.peak.contact_radius,
             impact.row.peak_contact_radius,
             1e-12 * impact.row.peak_contact_radius,
         )?;
     }
     let slope = impact.unloading_exponent * up.force / impact.elastic_approach;
-    prop_assert!(!run.is_plm() || relative_error(up.memory.unloading_stiffness, slope) < 1e-11, "{:?}", up.memory);
+    prop_assert!(!run.is_plm() || relative_error(up.peak.unloading_stiffness, slope) < 1e-11, "{:?}", up.peak);
     assert_close("work", up.work, kinetic, 1e-12 * kinetic)?;
     assert_close("back", -down.work, impact.row.restitution.powi(2) * kinetic, 1e-12 * kinetic)?;
     assert_close("plastic", up.plastic_work, up.work + down.work, 1e-12 * kinetic)?;
-    prop_assert_eq!((again.plastic_work, again.memory), (0.0, up.memory));
+    prop_assert_eq!((again.plastic_work, again.peak), (0.0, up.peak));
     assert_close("force again", again.force, up.force, 1e-12 * up.force)?;
     assert_close("work again", again.work, -down.work, 1e-12 * kinetic)?;
     // above the lower peak the law may have no answer
     if let Ok(cycles) = slow.indent(&[To(0.4 * depth), Load(0.0), To(depth)], None) {
         let last = cycles.steps[2];
         assert_close("force of cycles", last.force, up.force, 1e-13 * up.force)?;
-        assert_close(
-            "dent of cycles",
-            last.memory.residual_indentation,
-            up.memory.residual_indentation,
-            1e-13 * depth,
-        )?;
+        assert_close("dent of cycles", last.peak.residual_indentation, up.peak.residual_indentation, 1e-13 * depth)?;
         let plastic = cycles.steps.iter().map(|step| step.plastic_work).sum::<f64>();
         assert_close("plastic work of cycles", plastic, up.plastic_work, 1e-12 * kinetic)?;
     }
