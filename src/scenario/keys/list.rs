@@ -41,7 +41,7 @@ macro_rules! strength_keys {
             /// Hardness of the body, instead of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
             /// hardness test. It is converted to the flow stress at a plastic strain of 0.08; `check` prints the ratio. Without
             /// flow_stress.power the metal is perfectly plastic with this stress. With flow_stress.power the yield strength is the
-            /// begin of that curve.
+            /// start of that curve.
             "hardness" of $part: Number(&HARDNESS);
             /// Kind of strength: "flow" is the flow stress in the impact, at a plastic strain of 1 to 8 %, such as a calibrated
             /// strength; "proof" is the 0.2 % proof stress of a tensile test, with which e is up to 37 % too low. The key changes
