@@ -33,6 +33,7 @@ pub use published::{LawError, Loading};
 use published::{MAX_CLIPPING, MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
 pub use recovery::{LoadedPoint, UnloadingRule};
 pub use surface::{LoadingHistory, Surface};
+use unloading::OLD_PEAK_ROUNDING;
 pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 named_enum! {
@@ -130,10 +131,13 @@ impl Law {
 
     /// The drop of the force where loading turns into this branch; only a metal that relaxes has one.
     pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
-        match self.rule_at(unloading.peak.indentation) {
-            UnloadingRule::Relaxed(law) => law.force_drop(&self.loading, unloading),
-            _ => 0.0,
+        let ContactState { indentation, force, .. } = unloading.peak;
+        if !matches!(self.rule_at(indentation), UnloadingRule::Relaxed(_)) {
+            return 0.0;
         }
+        let fall = self.loading.force(indentation) - force;
+        // a smaller drop is rounding
+        if fall > OLD_PEAK_ROUNDING * force { fall } else { 0.0 }
     }
 
     /// The unloading branch from a point of the loading curve, or from a state that a contact remembers. If loading was elastic
