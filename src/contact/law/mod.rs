@@ -31,10 +31,20 @@ pub use plm::unloading_rule::PlmUnloadingRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 pub use published::{LawError, Loading};
 use published::{MAX_CLIPPING, MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
-pub use recovery::{LoadedPoint, UnloadingRule};
 pub use surface::{LoadingHistory, Surface};
 use unloading::OLD_PEAK_ROUNDING;
-pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+pub use unloading::{ContactState, LoadedPoint, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+
+/// How a contact unloads after loading beyond the elastic regime.
+#[derive(Debug, Clone)]
+pub enum UnloadingRule {
+    /// Along Hertz's curve, at any load.
+    Hertz,
+    PlmRule(Box<PlmUnloadingRule>),
+    Published(Box<PublishedRule>),
+    /// By the law of a metal that relaxes at maximum compression.
+    Relaxed(Box<PeakLaw>),
+}
 
 named_enum! {
     pub enum Branch {
@@ -56,6 +66,17 @@ pub struct Law {
     /// The range in which the loading holds.
     pub validity: Validity,
     pub unloading_rule: UnloadingRule,
+}
+
+/// The law at maximum compression of a metal that relaxes there (strain-rate dependence).
+#[derive(Debug, Clone)]
+pub struct PeakLaw {
+    /// The rule by which the metal would unload without relaxing.
+    while_loading: UnloadingRule,
+    /// In units of the yield point of this law.
+    law: Law,
+    /// r.
+    ratio: f64,
 }
 
 /// An unloading exponent that is larger than the requested one, because the requested one would recover more energy than was spent.

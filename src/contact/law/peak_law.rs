@@ -10,20 +10,8 @@
 //! f_g by up to 10⁻⁴, because the first straight piece of the law at the turn lies above Hertz's curve. There f = f_g. The branch
 //! recovers at most the work of loading. Fresh surface that turns at x_t ≤ 1 stays elastic.
 
-use super::recovery::{LoadedPoint, UnloadingRule};
-use super::unloading::{ContactState, Unloading, allowed_exponent};
-use super::{ExponentClamp, Law, LawError};
-
-/// The law at maximum compression of a metal that relaxes there (strain-rate dependence).
-#[derive(Debug, Clone)]
-pub struct PeakLaw {
-    /// The rule by which the metal would unload without relaxing.
-    pub(super) while_loading: UnloadingRule,
-    /// In units of the yield point of this law.
-    law: Law,
-    /// r.
-    ratio: f64,
-}
+use super::unloading::{ContactState, LoadedPoint, Unloading, allowed_exponent};
+use super::{ExponentClamp, Law, LawError, PeakLaw, UnloadingRule};
 
 impl PeakLaw {
     /// r², r³.
