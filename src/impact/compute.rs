@@ -82,11 +82,11 @@ impl Contact {
             None => solve(case.ground, case.q, &case.forces, None, solver, None)?.outcome,
         };
         case.ground.check(&outcome.unloading)?;
-        let mut essentials = ImpactRow::new(self, approach.normal, &case, &outcome)?;
+        let mut row = ImpactRow::new(self, approach.normal, &case, &outcome)?;
         if let Some(inclined) = ObliqueImpact::new(self, &case, &outcome, approach)? {
-            essentials.rebound = Some(inclined.rebound(&inclined.slip_result(false)?)?);
+            row.rebound = Some(inclined.rebound(&inclined.slip_result(false)?)?);
         }
-        Ok(essentials)
+        Ok(row)
     }
 
     /// The solver with the method that computes an impact of this contact.

@@ -108,7 +108,7 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         /// Kinetic energy at the first contact.
         "energy.first_kinetic_in_J" in Energy: series.first_value(|hit| hit.impact.row.kinetic_in);
         /// Kinetic energy after the last impact.
-        "energy.last_recovered_J" in Energy: series.last_value(|hit| hit.recovered_energy());
+        "energy.last_recovered_J" in Energy: series.last_value(SeriesImpact::recovered_energy);
         /// Energy radiated as elastic waves.
         "energy.waves_J" in Energy if WAVES:
             series.sequence.impacts.iter().filter_map(SeriesImpact::radiated_energy).reduce(|all, one| all + one);

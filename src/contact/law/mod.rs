@@ -31,9 +31,20 @@ pub use plm::unloading_rule::PlmUnloadingRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 pub use published::{LawError, Loading};
 use published::{MAX_CLIPPING, MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
-pub use recovery::{LoadedPoint, UnloadingRule};
 pub use surface::{LoadingHistory, Surface};
-pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+use unloading::OLD_PEAK_ROUNDING;
+pub use unloading::{ContactState, LoadedPoint, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+
+/// How a contact unloads after loading beyond the elastic regime.
+#[derive(Debug, Clone)]
+pub enum UnloadingRule {
+    /// Along Hertz's curve, at any load.
+    Hertz,
+    PlmRule(Box<PlmUnloadingRule>),
+    Published(Box<PublishedRule>),
+    /// By the law of a metal that relaxes at maximum compression.
+    Relaxed(Box<PeakLaw>),
+}
 
 named_enum! {
     pub enum Branch {
@@ -55,6 +66,17 @@ pub struct Law {
     /// The range in which the loading holds.
     pub validity: Validity,
     pub unloading_rule: UnloadingRule,
+}
+
+/// The law at maximum compression of a metal that relaxes there (strain-rate dependence).
+#[derive(Debug, Clone)]
+pub struct PeakLaw {
+    /// The rule by which the metal would unload without relaxing.
+    while_loading: UnloadingRule,
+    /// In units of the yield point of this law.
+    law: Law,
+    /// r.
+    ratio: f64,
 }
 
 /// An unloading exponent that is larger than the requested one, because the requested one would recover more energy than was spent.
@@ -130,10 +152,13 @@ impl Law {
 
     /// The drop of the force where loading turns into this branch; only a metal that relaxes has one.
     pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
-        match self.rule_at(unloading.peak.indentation) {
-            UnloadingRule::Relaxed(law) => law.force_drop(&self.loading, unloading),
-            _ => 0.0,
+        let ContactState { indentation, force, .. } = unloading.peak;
+        if !matches!(self.rule_at(indentation), UnloadingRule::Relaxed(_)) {
+            return 0.0;
         }
+        let fall = self.loading.force(indentation) - force;
+        // a smaller drop is rounding
+        if fall > OLD_PEAK_ROUNDING * force { fall } else { 0.0 }
     }
 
     /// The unloading branch from a point of the loading curve, or from a state that a contact remembers. If loading was elastic

@@ -10,21 +10,8 @@
 //! f_g by up to 10⁻⁴, because the first straight piece of the law at the turn lies above Hertz's curve. There f = f_g. The branch
 //! recovers at most the work of loading. Fresh surface that turns at x_t ≤ 1 stays elastic.
 
-use super::recovery::{LoadedPoint, UnloadingRule};
-use super::unloading::{ContactState, OLD_PEAK_ROUNDING, Unloading, allowed_exponent};
-use super::{ExponentClamp, Law, LawError};
-use crate::numerics::curve::LoadingCurve;
-
-/// The law at maximum compression of a metal that relaxes there (strain-rate dependence).
-#[derive(Debug, Clone)]
-pub struct PeakLaw {
-    /// The rule by which the metal would unload without relaxing.
-    pub(super) while_loading: UnloadingRule,
-    /// In units of the yield point of this law.
-    law: Law,
-    /// r.
-    ratio: f64,
-}
+use super::unloading::{ContactState, LoadedPoint, Unloading, allowed_exponent};
+use super::{ExponentClamp, Law, LawError, PeakLaw, UnloadingRule};
 
 impl PeakLaw {
     /// r², r³.
@@ -75,13 +62,6 @@ impl PeakLaw {
     /// See [`Law::check`].
     pub(super) fn check(&self, unloading: &Unloading) -> Result<(), LawError> {
         self.law.check(&self.in_own_units(unloading))
-    }
-
-    /// The drop of the force where this loading curve turns into this branch; 0 if the drop is rounding.
-    pub(super) fn force_drop(&self, loading: &LoadingCurve, unloading: &Unloading) -> f64 {
-        let ContactState { indentation, force, .. } = unloading.peak;
-        let fall = loading.force(indentation) - force;
-        if fall > OLD_PEAK_ROUNDING * force { fall } else { 0.0 }
     }
 
     /// Contact radius a/a_L of a turn at x.

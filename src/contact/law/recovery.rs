@@ -1,42 +1,8 @@
-//! How a contact unloads: the rules, and the one way from a point of the loading curve to an unloading branch.
+//! The one way from a point of the loading curve to an unloading branch, by any rule.
 
-use super::peak_law::PeakLaw;
-use super::plm::unloading_rule::PlmUnloadingRule;
-use super::published::PublishedRule;
-use super::unloading::{ContactState, Unloading, allowed_exponent};
+use super::UnloadingRule;
+use super::unloading::{ContactState, LoadedPoint, Unloading, allowed_exponent};
 use crate::numerics::curve::LoadingCurve;
-
-/// A point of a loading curve from which the contact unloads, and what is known about it already.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LoadedPoint {
-    /// x.
-    pub indentation: f64,
-    /// f.
-    pub force: f64,
-    /// The work of loading; `None` if it is to be taken from the curve.
-    pub work: Option<f64>,
-    /// ε, if the contact remembers it.
-    pub elastic_approach: Option<f64>,
-}
-
-impl From<ContactState> for LoadedPoint {
-    /// A state that a contact remembers.
-    fn from(state: ContactState) -> Self {
-        let ContactState { indentation, force, elastic_approach } = state;
-        Self { indentation, force, work: None, elastic_approach: Some(elastic_approach) }
-    }
-}
-
-/// How a contact unloads after loading beyond the elastic regime.
-#[derive(Debug, Clone)]
-pub enum UnloadingRule {
-    /// Along Hertz's curve, at any load.
-    Hertz,
-    PlmRule(Box<PlmUnloadingRule>),
-    Published(Box<PublishedRule>),
-    /// By the law of a metal that relaxes at maximum compression.
-    Relaxed(Box<PeakLaw>),
-}
 
 impl UnloadingRule {
     /// The unloading branch from a point of this loading curve.

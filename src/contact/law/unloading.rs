@@ -31,6 +31,27 @@ impl ContactState {
     }
 }
 
+/// A point of a loading curve from which the contact unloads, and what is known about it already.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadedPoint {
+    /// x.
+    pub indentation: f64,
+    /// f.
+    pub force: f64,
+    /// The work of loading; `None` if it is to be taken from the curve.
+    pub work: Option<f64>,
+    /// ε, if the contact remembers it.
+    pub elastic_approach: Option<f64>,
+}
+
+impl From<ContactState> for LoadedPoint {
+    /// A state that a contact remembers.
+    fn from(state: ContactState) -> Self {
+        let ContactState { indentation, force, elastic_approach } = state;
+        Self { indentation, force, work: None, elastic_approach: Some(elastic_approach) }
+    }
+}
+
 /// How the force falls between the peak and the residual indentation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum UnloadingShape {

@@ -75,6 +75,35 @@ pub struct ForcesResult {
     pub gravity_work: Option<f64>,
 }
 
+impl ForcesResult {
+    fn new(
+        contact: &Contact,
+        case: &ScaledImpact,
+        outcome: &ScaledResult,
+        row: &ImpactRow,
+        balance: &EnergyBalance,
+    ) -> Self {
+        let ScaledImpact { scales, ground, forces, .. } = case;
+        let (length, energy) = (scales.units.length, scales.units.energy());
+        let is_captured = outcome.end == ImpactEnd::Captured;
+        let lifts_off = !is_captured && forces.damping.can_lift_off();
+        let moved = row.plate.map_or(0.0, |plate| plate.displacement / length);
+        let sunk = outcome.end_indentation - ground.first_contact() + moved;
+        let at_rest = || forces.static_equilibrium(*ground, &outcome.unloading).indentation * length;
+        let stored = || outcome.unloading.stored_energy(outcome.end_indentation) * energy;
+        Self {
+            fate: outcome.end,
+            end_time: outcome.contact_time * scales.time(),
+            end_indentation: outcome.end_indentation * length,
+            static_indentation: is_captured.then(at_rest),
+            damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
+            stored_at_separation: lifts_off.then(stored),
+            remaining_energy: is_captured.then(|| balance.remaining_energy() * energy),
+            gravity_work: contact.forces().gravity.map(|_| forces.weight * sunk * energy),
+        }
+    }
+}
+
 /// One impact, for reports and pictures. SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impact {
@@ -130,7 +159,7 @@ impl Impact {
         computed: &Solution,
         exact: Option<&ScaledResult>,
     ) -> Result<Self, ImpactError> {
-        let ScaledImpact { scales, ground, forces, .. } = case;
+        let ScaledImpact { scales, ground, .. } = case;
         let Solution { outcome, stats: work, fixed_steps, trace_points: points } = computed;
         let row = ImpactRow::new(contact, speed, case, outcome)?;
         let ImpactRow { restitution, kinetic_in, peak_contact_radius, .. } = row;
@@ -153,25 +182,9 @@ impl Impact {
         let is_in_half_space = row.dent_depth() > 0.0;
         let dent = ground.deepest_state(peak);
         let radius_ratio = dent.unloading_radius_ratio();
-        let is_captured = outcome.end == ImpactEnd::Captured;
         let energy = scales.units.energy();
-        let under_forces = (!contact.forces().is_none()).then(|| {
-            let lifts_off = !is_captured && forces.damping.can_lift_off();
-            let moved = row.plate.map_or(0.0, |plate| plate.displacement / scales.units.length);
-            let sunk = outcome.end_indentation - ground.first_contact() + moved;
-            ForcesResult {
-                fate: outcome.end,
-                end_time: outcome.contact_time * scales.time(),
-                end_indentation: outcome.end_indentation * scales.units.length,
-                static_indentation: is_captured
-                    .then(|| forces.static_equilibrium(*ground, &outcome.unloading).indentation * scales.units.length),
-                damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
-                stored_at_separation: lifts_off
-                    .then(|| outcome.unloading.stored_energy(outcome.end_indentation) * energy),
-                remaining_energy: is_captured.then(|| ledger.remaining_energy() * energy),
-                gravity_work: contact.forces().gravity.map(|_| forces.weight * sunk * energy),
-            }
-        });
+        let has_forces = !contact.forces().is_none();
+        let forces_result = has_forces.then(|| ForcesResult::new(contact, case, outcome, &row, &ledger));
         Ok(Self {
             speed,
             method,
@@ -200,7 +213,7 @@ impl Impact {
             },
             stats: *work,
             accuracy: Accuracy::from_outcomes(outcome, exact),
-            forces_result: under_forces,
+            forces_result,
             fixed_steps: fixed_steps.map(|seen| seen.in_seconds(scales.time())),
             oblique: None,
             warnings: Vec::new(),

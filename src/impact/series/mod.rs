@@ -156,7 +156,7 @@ impl SeriesRun<'_> {
         Ok(SeriesImpact::new(impact, approach, time, position, before))
     }
 
-    /// The flight after an impact that ends at this time, or the reason why there is none.
+    /// The flight after an impact that ends at this time, or the reason why no flight follows.
     fn flight_after(&self, hit: &SeriesImpact, end: f64, flying: &FreeFlight) -> Result<Flight, SeriesEnd> {
         if hit.is_captured() {
             return Err(SeriesEnd::Captured);

@@ -18,9 +18,9 @@ const RESTEP_BELOW_THETA: f64 = 0.98;
 /// The maximum number of repetitions of the step to an event.
 const MAX_REPEATS: u32 = 3;
 
-/// What a step means for its leg.
+/// The consequence of a step for its leg.
 pub(super) enum StepOutcome {
-    /// The leg goes on from the end of the step.
+    /// The leg continues from the end of the step.
     Continues,
     /// The event that ends the leg is well inside of the step: the step is to be repeated with this fraction of its length.
     Overshoots { share: f64 },

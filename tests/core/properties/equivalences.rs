@@ -216,8 +216,8 @@ pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judgement {
         let Ok(other) = other.run() else { continue };
         let [got, want] = [&other.impact, &run.impact];
         if allowed == 0.0 {
-            let essentials = ImpactRow { strain_rate_result: None, ..got.row };
-            prop_assert_eq!(debug_text(&essentials), debug_text(&want.row), "{:?}", other.scene);
+            let row = ImpactRow { strain_rate_result: None, ..got.row };
+            prop_assert_eq!(debug_text(&row), debug_text(&want.row), "{:?}", other.scene);
             prop_assert_eq!(debug_text(&got.trace), debug_text(&want.trace), "{:?}", other.scene);
         }
         let sizes =
