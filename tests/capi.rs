@@ -241,8 +241,8 @@ fn c_program_prints_bits_of_library() {
     let errors = printed[expected.len()..].join("\n");
     for words in [
         "scenario:1:21: sphere.radius: \"-5 mm\"",
-        "scenario:3:11: gravity: is not a part of the contact law: leave this table out",
-        "scenario:3:1: sweep: is not a part of a contact of two bodies: leave this table out",
+        "scenario:3:11: gravity: is not supported in a DEM contact",
+        "scenario:3:1: sweep: is not supported in a DEM contact",
         "no-such-file.toml: cannot be read",
         "\nno scenario: the pointer is NULL\n",
         "\nno scenar\nnan nan nan\nno memory is spoilt\n",

@@ -217,7 +217,7 @@ fn all_of_many_impacts_give_the_strength() {
             all.map(|(law, e)| (law - e).powi(2)).sum()
         };
         let mut centre = 345e6;
-        for width in [4e6, 1e6] {
+        for width in [4e6, 1e6, 2e5] {
             let [low, middle, high] = [-width, 0.0, width].map(|off| sum(centre + off));
             centre += 0.5 * width * (low - high) / (low - 2.0 * middle + high);
         }
