@@ -25,7 +25,7 @@ const TOLERANCE: f64 = 0.05;
 
 const WORK: [(&str, fn(u32)); 4] = [("row", rows), ("contact", contacts), ("rk8", impacts_by_rk8), ("c_force", forces)];
 
-/// What one process does: a name of [`WORK`] and how often.
+/// The work of one process: a name of [`WORK`] and how often.
 const VARIABLE: &str = "PLM_IMPACT_TEST_WORK";
 
 fn steel() -> Contact {

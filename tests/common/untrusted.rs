@@ -1,4 +1,4 @@
-//! What reads the files of users, for the mutated files of `program/interfaces/mutated_files.rs` and for the targets in `fuzz`.
+//! The readers of users' files, for the mutated files of `program/interfaces/mutated_files.rs` and for the targets in `fuzz`.
 
 use std::fs;
 use std::path::Path;

@@ -6,7 +6,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use crate::common::prelude::*;
 use crate::common::untrusted::{read_flow_curve, read_measurements, read_scenario};
 
-/// What a change puts in: ends of ranges, other types, broken syntax, other alphabets.
+/// Texts that a change puts in: ends of ranges, other types, broken syntax, other alphabets.
 const FRAGMENTS: [&str; 32] = [
     "nan",
     "inf",

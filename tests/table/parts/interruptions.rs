@@ -10,7 +10,7 @@ fn is_stopped(process: u32) -> bool {
 }
 
 /// The first writer stops after its first change of the disk, then after its second, and so on. Each time a second writer makes the
-/// same table meanwhile, and the first one then goes on: neither is refused, and nothing is lost.
+/// same table meanwhile, and the first one then continues: neither is refused, and nothing is lost.
 #[test]
 fn concurrent_writers_succeed() {
     let stop = Command::new("bash").args(["-c", "kill -l STOP"]).output().unwrap();
