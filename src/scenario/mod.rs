@@ -35,7 +35,7 @@ pub use kind::{Kind, TEMPLATES};
 pub use no_result::no_result_error;
 use plan::varied::VariedKeys;
 pub use rules::effect::Facts;
-pub use source::ScenarioSource;
+pub use source::{ScenarioIdentity, ScenarioSource};
 
 /// A parsed and checked scenario.
 #[derive(Debug, Clone)]

@@ -23,17 +23,18 @@ pub struct Request<'a> {
 impl<'a> Request<'a> {
     /// Refuses what the kind of the scenario does not have, and opens the directory.
     pub fn new(mut scenario: Scenario, line: &CommandLine<'a>) -> Result<Self, Error> {
-        let kind = scenario.kind()?;
+        let identity = scenario.identity()?;
         if line.is_calibration {
             scenario.calibration_request()?;
         }
-        let table = if kind.is_table() {
+        let table = if identity.kind.is_table() {
             Some(TableRequest::new(&scenario, line.table, line.output)?)
         } else {
-            line.table.refuse_for(kind.description())?;
+            line.table.refuse_for(identity.kind.description())?;
             None
         };
-        let directory = line.output.open_directory(line.file.name(), &mut scenario)?;
+        let directory = line.output.open_directory(line.file.name(), &identity)?;
+        scenario.from_results = directory.relative_path(line.file.name());
         Ok(Self { scenario, directory, output: line.output, table })
     }
 
