@@ -26,11 +26,11 @@ pub struct ScenarioSource {
 #[derive(Debug, Clone)]
 pub struct ScenarioIdentity {
     pub kind: Kind,
-    /// Of all that the results depend on.
+    /// SHA-256 of all that the results depend on.
     pub sha256: String,
     /// `key=value` of the command line.
     pub overrides: Vec<String>,
-    /// Of the overrides alone; `None` without overrides.
+    /// SHA-256 of the overrides alone; `None` without overrides.
     pub overrides_sha256: Option<String>,
     /// The files that the scenario names.
     pub reads: Vec<PathBuf>,
@@ -93,7 +93,7 @@ impl Scenario {
         (!source.overrides.is_empty()).then(|| source.sha256())
     }
 
-    /// What a command has to know of the scenario before anything is computed.
+    /// The facts of the scenario that a command needs before anything is computed.
     pub fn identity(&self) -> Result<ScenarioIdentity, Error> {
         Ok(ScenarioIdentity {
             kind: self.kind()?,

@@ -33,7 +33,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
 
 pub fn prepare(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     scenario.refuse_columns()?;
-    scenario.checked()
+    scenario.resolve_contact()
 }
 
 /// Refuses a method without a trace, which a run writes.
