@@ -224,7 +224,7 @@ fn c_program_prints_bits_of_library() {
     expected.extend(along_the_path(&contact));
     let printed: Vec<_> = printed.lines().collect();
     assert_eq!(printed[..expected.len()], expected);
-    let waves = Scenario::load(&with_waves, &[]).unwrap().checked_bodies().unwrap().1.unwrap();
+    let waves = Scenario::load(&with_waves, &[]).unwrap().resolve_bodies().unwrap().1.unwrap();
     let waves = waves.closed_form(3.0).unwrap().row.restitution_with_waves().unwrap();
     let bits = [("validated_indentation", contact.validated_indentation()), ("waves", waves)]
         .map(|(name, number)| format!("{name} {:016x}", number.to_bits()));

@@ -82,7 +82,7 @@ pub enum ResultOrigin<'a> {
         overrides_sha256: Option<&'a str>,
         /// The files that the scenario names.
         reads: &'a [&'a Path],
-        /// True for a table, which goes on from its parts in the directory.
+        /// True for a table, which resumes from its parts in the directory.
         is_table: bool,
     },
     /// A command that needs no scenario.

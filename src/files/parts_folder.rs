@@ -1,4 +1,4 @@
-//! The parts of a table in an output directory, as far as other results have to know of them.
+//! The parts of a table in an output directory, which other results must not overwrite.
 
 use std::ffi::{OsStr, OsString};
 use std::path::Path;

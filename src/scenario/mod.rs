@@ -22,20 +22,17 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
-use crate::impact::{Contact, ImpactError, Warning};
+use crate::impact::{Contact, ImpactError};
 use crate::scenario::plan::AxisSetting;
 pub use document::{Document, MAX_DATA_MIB, MAX_SCENARIO_MIB, Override, read_open_file, read_text};
 use input::reader::{Reader, as_table};
-use input::{
-    ALTERNATIVES, Body, Input, N_BODY_KEYS, N_SPHERE_KEYS, REQUIRED_KEYS, alternative_to,
-    without_axis_table as varied_key,
-};
-use keys::{ALL_KEYS, key};
+use input::{ALTERNATIVES, Body, Input, N_BODY_KEYS, N_SPHERE_KEYS, REQUIRED_KEYS, without_axis_table as varied_key};
+use keys::key;
 pub use kind::{Kind, TEMPLATES};
 pub use no_result::no_result_error;
 use plan::varied::VariedKeys;
 pub use rules::effect::Facts;
-pub use source::ScenarioSource;
+pub use source::{ScenarioIdentity, ScenarioSource};
 
 /// A parsed and checked scenario.
 #[derive(Debug, Clone)]
@@ -53,7 +50,7 @@ pub struct Scenario {
     pub from_results: Option<String>,
 }
 
-/// An input that fulfils all rules, and its contact, or why there is none.
+/// An input that fulfils all rules, and its contact or the reason why it has no contact.
 pub type CheckedInput = (Input, Result<Contact, ImpactError>);
 
 const NEEDS_GRAVITY_TEXT: &str =
@@ -181,18 +178,12 @@ impl Scenario {
         self.check_impact().map(|(input, _)| input)
     }
 
-    /// The input of the first impact, and its contact.
-    pub fn checked(&self) -> Result<(Input, Contact), Error> {
-        let (input, contact) = self.check_impact()?;
-        contact.map_err(|reason| no_result_error(self, &reason)).map(|contact| (input, contact))
-    }
-
     /// The input of a scenario that needs no impact, and its contact. The speed is NaN if it is not given.
-    pub fn checked_bodies(&self) -> Result<CheckedInput, Error> {
+    pub fn resolve_bodies(&self) -> Result<CheckedInput, Error> {
         self.check_input(REQUIRED_KEYS.len() - 1)
     }
 
-    fn check_impact(&self) -> Result<CheckedInput, Error> {
+    pub(in crate::scenario) fn check_impact(&self) -> Result<CheckedInput, Error> {
         self.check_speeds()?;
         self.check_input(if self.shot_speeds().is_some() { REQUIRED_KEYS.len() - 1 } else { REQUIRED_KEYS.len() })
     }
@@ -239,20 +230,5 @@ impl Scenario {
             free.key.set_exclusive(&mut input, free.from);
         }
         input
-    }
-
-    /// Warnings about given keys that have no effect on the results of these inputs. Such keys are allowed, as the file may also be run
-    /// in another way. Needed keys get no warning.
-    pub fn unused_key_warnings(&self, inputs: &[Input], kind: Kind) -> Vec<Warning> {
-        let facts = Facts { inputs, kind, varied: &[] };
-        let needed = if kind == Kind::Impact { &REQUIRED_KEYS[..] } else { &REQUIRED_KEYS[..REQUIRED_KEYS.len() - 2] };
-        let is_needed =
-            |path: &str| [Some(path), alternative_to(path)].into_iter().flatten().any(|key| needed.contains(&key));
-        let keys = ALL_KEYS
-            .iter()
-            .map(|key| key.path)
-            .filter(|path| !path.starts_with("law.") && self.document.contains(path));
-        let given = keys.chain(self.document.keys_below("law.")).filter(|path| !is_needed(path));
-        given.filter_map(|path| Some(Warning::unused_key(path, facts.why_unused(path)?))).collect()
     }
 }

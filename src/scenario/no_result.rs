@@ -1,12 +1,20 @@
 //! The error of a scenario that has no result: it points at the key that is the reason.
 
 use super::Scenario;
-use super::input::{Body, NUMERIC_KEYS, NumericKey};
+use super::input::{Body, Input, NUMERIC_KEYS, NumericKey};
 use super::keys::Part;
 use crate::contact::law::LawError;
 use crate::error::{Error, ErrorKind};
-use crate::impact::ImpactError;
+use crate::impact::{Contact, ImpactError};
 use crate::numerics::ode::IntegrationError;
+
+impl Scenario {
+    /// The input of the first impact, and its contact.
+    pub fn resolve_contact(&self) -> Result<(Input, Contact), Error> {
+        let (input, contact) = self.check_impact()?;
+        contact.map_err(|reason| no_result_error(self, &reason)).map(|contact| (input, contact))
+    }
+}
 
 /// The error of a scenario without a result. If one key is the reason, the error points at it.
 pub fn no_result_error(scenario: &Scenario, reason: &ImpactError) -> Error {

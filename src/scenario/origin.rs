@@ -4,7 +4,7 @@ use super::Scenario;
 use super::input::BodyMaterial;
 use super::input::read_input::is_at_or_below;
 
-/// What gives a key, or the keys of a table.
+/// The origin of a key, or of the keys of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Origin {
     /// True if the file, the command line or a named material gives a value or a table.

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::keys::key;
-use super::{DATA_KEY, Override, Scenario};
+use super::{DATA_KEY, Kind, Override, Scenario};
 use crate::error::Error;
 use crate::files::{FORMAT_VERSION, Provenance, RESULTS_VERSION, VERSION, hex};
 
@@ -20,6 +20,20 @@ pub struct ScenarioSource {
     pub overrides: Vec<String>,
     /// The texts of the files that the scenario names, by the keys that name them.
     pub files: BTreeMap<String, String>,
+}
+
+/// The kind of a scenario, and what tells its results from those of others.
+#[derive(Debug, Clone)]
+pub struct ScenarioIdentity {
+    pub kind: Kind,
+    /// SHA-256 of all that the results depend on.
+    pub sha256: String,
+    /// `key=value` of the command line.
+    pub overrides: Vec<String>,
+    /// SHA-256 of the overrides alone; `None` without overrides.
+    pub overrides_sha256: Option<String>,
+    /// The files that the scenario names.
+    pub reads: Vec<PathBuf>,
 }
 
 impl ScenarioSource {
@@ -77,6 +91,17 @@ impl Scenario {
         let overrides: Vec<String> = self.document.overrides().iter().map(written).collect();
         let source = ScenarioSource { overrides, ..ScenarioSource::default() };
         (!source.overrides.is_empty()).then(|| source.sha256())
+    }
+
+    /// The facts of the scenario that a command needs before anything is computed.
+    pub fn identity(&self) -> Result<ScenarioIdentity, Error> {
+        Ok(ScenarioIdentity {
+            kind: self.kind()?,
+            sha256: self.sha256(),
+            overrides: self.document.overrides(),
+            overrides_sha256: self.overrides_sha256(),
+            reads: self.files().map(|(_, path)| path.to_owned()).collect(),
+        })
     }
 
     /// The provenance of results of this scenario, which the command made.

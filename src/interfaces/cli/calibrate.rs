@@ -8,7 +8,8 @@ use plm_impact::scenario::Override;
 use plm_impact::scenario::keys::words::LAWS;
 
 use super::output::OutputArguments;
-use super::run::{CommandLine, run_scenario};
+use super::request::CommandLine;
+use super::run::run_scenario;
 use super::scenario::ScenarioArguments;
 use super::terminal::failed_with;
 

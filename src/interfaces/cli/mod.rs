@@ -11,6 +11,7 @@ mod materials;
 mod output;
 mod pace;
 mod request;
+mod results;
 mod run;
 mod scenario;
 mod table;

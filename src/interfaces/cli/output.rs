@@ -11,7 +11,7 @@ use plm_impact::files::{OutputDirectory, OutputFile, ResultOrigin, SUMMARY_FILE,
 use plm_impact::report::chart::PictureFormat;
 use plm_impact::report::run::refuse_warnings;
 use plm_impact::report::text::Detail;
-use plm_impact::scenario::Scenario;
+use plm_impact::scenario::{Scenario, ScenarioIdentity};
 use sha2::{Digest as _, Sha256};
 
 use super::watch::Signals;
@@ -91,23 +91,18 @@ impl OutputArguments {
         self.out.clone().unwrap_or_else(|| Path::new("plots").join(default_name(file, overrides)))
     }
 
-    /// Prepares the output directory, and notes for the results how the scenario's file is found from there. Signals are
-    /// listened to from here on.
-    pub fn open_directory(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
+    /// Prepares the output directory of a scenario. Signals are listened to from here on.
+    pub fn open_directory(&self, file: &Path, identity: &ScenarioIdentity) -> Result<OutputDirectory, Error> {
         Signals::listen()?;
-        let reads: Vec<&Path> = scenario.files().map(|(_, path)| path).collect();
-        let (sha256, overrides_sha256) = (scenario.sha256(), scenario.overrides_sha256());
+        let reads: Vec<&Path> = identity.reads.iter().map(PathBuf::as_path).collect();
         let origin = ResultOrigin::File {
             path: file,
-            sha256: &sha256,
-            overrides_sha256: overrides_sha256.as_deref(),
+            sha256: &identity.sha256,
+            overrides_sha256: identity.overrides_sha256.as_deref(),
             reads: &reads,
-            is_table: scenario.kind()?.is_table(),
+            is_table: identity.kind.is_table(),
         };
-        let path = self.directory(file, &scenario.document.overrides());
-        let directory = OutputDirectory::prepare(&path, origin, self.force)?;
-        scenario.from_results = directory.relative_path(file);
-        Ok(directory)
+        OutputDirectory::prepare(&self.directory(file, &identity.overrides), origin, self.force)
     }
 }
 

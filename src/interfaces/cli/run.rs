@@ -9,7 +9,7 @@ use plm_impact::scenario::Override;
 use serde_json::Value;
 
 use super::output::OutputArguments;
-use super::request::Request;
+use super::request::{CommandLine, Request};
 use super::scenario::ScenarioArguments;
 
 /// Run a scenario and write summary, trace and plots
@@ -75,17 +75,6 @@ fn run_file(arguments: &RunArguments, file: &ScenarioArguments) -> Result<(), Er
     let speed = arguments.speed.iter().map(|speed| Override::of_option("--speed", "impact.speed", speed));
     let RunArguments { output, table, .. } = arguments;
     run_scenario(&CommandLine { file, overrides: speed.collect(), output, table, is_calibration: false })
-}
-
-/// A command line that runs a scenario.
-pub struct CommandLine<'a> {
-    pub file: &'a ScenarioArguments,
-    /// The keys that options other than --set change.
-    pub overrides: Vec<Override>,
-    pub output: &'a OutputArguments,
-    pub table: &'a super::table::Options,
-    /// True if the scenario has to be a calibration.
-    pub is_calibration: bool,
 }
 
 /// The way of every scenario: of one impact, of a series, of an indentation, of a table, and of a calibration.

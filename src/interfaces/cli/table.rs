@@ -13,7 +13,7 @@ use plm_impact::table::{FinishedTable, Format, PartLayout, Shard, TableJob, Tall
 use rayon::ThreadPoolBuilder;
 
 use super::output::{OutputArguments, command_line, parse_choice};
-use super::request::{Request, Results};
+use super::results::Results;
 use super::watch::Watch;
 
 /// More threads could stop a machine.
@@ -84,9 +84,13 @@ impl TableRequest {
     }
 
     /// Writes the table, or a shard of it; a whole table also has a summary and pictures.
-    pub fn compute(self, request: Request<'_>) -> Result<Results<'_>, Error> {
+    pub fn compute<'a>(
+        self,
+        scenario: &Scenario,
+        directory: OutputDirectory,
+        output: &'a OutputArguments,
+    ) -> Result<Results<'a>, Error> {
         let Self { plan, warnings_and_notes, shard, format, threads } = self;
-        let Request { scenario, directory, output, .. } = request;
         let layout = part_layout(&plan);
         let resume = if layout.is_split(shard, &directory) { RESUME_TEXT } else { NOTHING_WRITTEN };
         let watch = Watch { is_quiet: output.quiet, counted: "rows", grace_period: GRACE_PERIOD, on_abandon: resume };
@@ -114,7 +118,7 @@ impl TableRequest {
     }
 }
 
-/// What an interrupted table leaves, and what to do then.
+/// The end of the message about an interrupted table.
 const RESUME_TEXT: &str = "run the same command again to resume";
 const NOTHING_WRITTEN: &str = "no files were written";
 const NO_SUMMARY: &str = "the table is complete, but summary and plots are missing; run the same command again";

@@ -38,7 +38,7 @@ impl ExportedContact {
         let plan = kind.is_table().then(|| scenario.plan()).transpose()?;
         let mut input = match &plan {
             Some(plan) => plan.input.clone(),
-            None => scenario.checked_bodies()?.0,
+            None => scenario.resolve_bodies()?.0,
         };
         let paths = plan.map(|plan| plan.varied_paths()).unwrap_or_default();
         let is_single = !paths.iter().any(|path| ["impact.speed", "impact.drop_height", "impact.angle"].contains(path));

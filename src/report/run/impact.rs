@@ -33,7 +33,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
 
 pub fn prepare(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     scenario.refuse_columns()?;
-    scenario.checked()
+    scenario.resolve_contact()
 }
 
 /// Refuses a method without a trace, which a run writes.
@@ -56,6 +56,11 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
         return Ok(Outcome { notes, ..Outcome::from_check(warning_texts(&impact.warnings), text, checked) });
     };
     let provenance = provenance(scenario, &input, impact.method, options.command);
+    let (inputs, caption) = (Inputs::new(&input), caption(&input, &[]));
+    let interval = restitution_interval(&input, &contact, impact.speed, &impact.row);
+    let drop_height = input.drop_height();
+    let single =
+        SingleImpact { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };
     let mut files = vec![output_file("trace.csv", trace_csv(&impact)?)];
     files.extend(options.pictures.to_files(|| {
         let mut drawn = vec![
@@ -63,13 +68,9 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
             ("history", pictures::history(&impact)?),
         ];
         drawn.extend(pictures::friction(&impact).map(|friction| ("friction", friction)));
-        Ok(with_captions(drawn, &caption(&input, &[])))
+        Ok(with_captions(drawn, &caption))
     })?);
-    let interval = restitution_interval(&input, &contact, impact.speed, &impact.row);
-    let drop_height = input.drop_height();
-    let single =
-        SingleImpact { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };
-    let files = with_summary(files, provenance, to_fields(&impact_results(), &single), &Inputs::new(&input))?;
+    let files = with_summary(files, provenance, to_fields(&impact_results(), &single), &inputs)?;
     let text = impact_text(&single, options.detail);
     Ok(Outcome { notes, ..Outcome::from_run(warning_texts(&impact.warnings), text, files) })
 }

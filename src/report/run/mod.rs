@@ -46,7 +46,7 @@ pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
         let message = "is not supported in a DEM contact. Remove this table.";
         return Err(scenario.document.refusal(kind.name(), message));
     }
-    let (input, contact) = scenario.checked_bodies()?;
+    let (input, contact) = scenario.resolve_bodies()?;
     let Forces { gravity, damping, plate, .. } = input.forces();
     let table = "The simulation adds this force itself.";
     let keys = [

@@ -307,7 +307,7 @@ fn key_rows(found: &KeyEstimate) -> Vec<Row> {
     [estimate].into_iter().chain(intervals).collect()
 }
 
-/// What the data say of several keys together, where they determine no single one.
+/// The combination of several keys that the data determine, where they determine no single key.
 fn combination_row(calibration: &Calibration) -> Option<Row> {
     let is_undetermined = calibration.reason_without_intervals.is_some() && calibration.keys.len() > 1;
     let identifiability = calibration.identifiability.as_ref().filter(|_| is_undetermined)?;

@@ -96,7 +96,7 @@ fn nearly_0(restitution: f64) -> String {
     format!("nearly 0 (below {above})")
 }
 
-/// What an impact leaves behind, as labels have it: dent, flat, or both; a pair of springs keeps neither.
+/// The imprint of an impact in labels: dent, flat, or both; a pair of springs keeps neither.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Imprint {
     Named(&'static str),

@@ -1,4 +1,4 @@
-//! What has no effect in a scenario: keys on which no result depends, and columns that a table does not have. One list of rules
+//! Keys on which no result depends, and columns that a table does not have. One list of rules
 //! over the inputs.
 
 use crate::contact::pair::ALONE_FROM;
@@ -11,7 +11,7 @@ use crate::scenario::keys::interval::has_strength_parts;
 use crate::scenario::keys::interval::law_error::has_law_error;
 use crate::scenario::keys::key;
 
-/// What the rules look at.
+/// The facts that the rules may use.
 #[derive(Debug, Clone, Copy)]
 pub struct Facts<'a> {
     /// An input for every law and method of the scenario; at least one.
