@@ -61,7 +61,7 @@ impl Contact {
                 _ => "kinetic energy and weight in units of those at first yield",
             };
             finite_positive(quantity, q * q + weight / self.scales.force)?;
-            (self.scales, Surface::new(&self.law, dent), q)
+            (self.scales, Surface::hit_with(&self.law, dent, 0.4 * q * q, weight / self.scales.force), q)
         } else {
             let scales = Scales::from_hertz_impact(self.pair(), self.reduced_mass(), speed, gravity)?;
             (scales, hertz_law().into(), speed / scales.speed)

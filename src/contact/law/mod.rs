@@ -27,7 +27,7 @@ use crate::strings::names::named_enum;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{ContactLaw, LawInfo, YieldingPair};
 pub use plm::unloading_rule::PlmUnloadingRule;
-pub use plm::{CoefficientsError, Plm, PlmCoefficients};
+pub use plm::{CoefficientsError, DeferredCurve, Plm, PlmCoefficients};
 pub use published::{LawError, Loading};
 use published::{MAX_CLIPPING, MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
 pub use surface::{LoadingHistory, Surface};
@@ -38,7 +38,7 @@ pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, 
 pub enum UnloadingRule {
     /// Along Hertz's curve, at any load.
     Hertz,
-    PlmRule(Box<PlmUnloadingRule>),
+    PlmRule(Arc<PlmUnloadingRule>),
     Published(Box<PublishedRule>),
 }
 
@@ -58,7 +58,7 @@ named_enum! {
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
 #[derive(Debug, Clone)]
 pub struct Law {
-    pub loading: Arc<LoadingCurve>,
+    pub loading: DeferredCurve,
     /// The range in which the loading holds.
     pub validity: Validity,
     pub unloading_rule: UnloadingRule,
@@ -88,7 +88,7 @@ pub(crate) struct ExponentClamp {
 
 impl Law {
     pub fn new(loading: impl Into<Arc<LoadingCurve>>, validity: Validity, unloading_rule: UnloadingRule) -> Self {
-        Self { loading: loading.into(), validity, unloading_rule, peak_law: None }
+        Self { loading: loading.into().into(), validity, unloading_rule, peak_law: None }
     }
 
     /// True if it is a pair of springs, which know no bodies: a contact of any width is allowed, and what stays is no dent.
@@ -105,8 +105,10 @@ impl Law {
         )
     }
 
-    pub fn plm(loading: impl Into<Arc<LoadingCurve>>, rule: PlmUnloadingRule) -> Self {
-        Self::new(loading, rule.validity(), UnloadingRule::PlmRule(Box::new(rule)))
+    /// The PLM with this force of shallow dents.
+    pub fn plm(shallow: Arc<LoadingCurve>, rule: Arc<PlmUnloadingRule>) -> Self {
+        let loading = DeferredCurve::new(shallow, &rule);
+        Self { loading, validity: rule.validity(), unloading_rule: UnloadingRule::PlmRule(rule), peak_law: None }
     }
 
     /// The law of a published loading with a published unloading.

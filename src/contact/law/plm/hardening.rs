@@ -125,7 +125,7 @@ pub(crate) struct PressureShape<'a> {
 
 impl PressureShape<'_> {
     /// ν, from the last tenth of the loading.
-    fn local_hardening_exponent(&self) -> f64 {
+    pub(super) fn local_hardening_exponent(&self) -> f64 {
         2.0 * ln(self.strength / self.hardening.representative_strength(self.x / MAX_POINT_RATIO)) / LN_RATIO
     }
 

@@ -2,12 +2,14 @@
 
 use super::approach::ApproachPolyline;
 use super::contact_radius::RadiusTable;
+use super::depth::Depth;
 use super::flattening::Flattening;
 use super::hardening::Hardening;
 use crate::contact::law::published::{LoadedState, Recovery, Validity};
 use crate::contact::law::unloading::{
     ContactState, Unloading, UnloadingExponent, UnloadingShape, allowed_exponent, pressure_shape_exponent,
 };
+use crate::numerics::curve::LoadingCurve;
 
 /// How the PLM unloads beyond first yield.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +20,8 @@ pub struct PlmUnloadingRule {
     pub hardening: Option<Hardening>,
     /// How a sphere that flows changes it.
     pub flattening: Option<Flattening>,
+    /// How a deep dent changes it.
+    pub depth: Option<Depth>,
     /// The contact radius, in units of a_Y.
     pub radius: RadiusTable,
     pub exponent: UnloadingExponent,
@@ -26,7 +30,11 @@ pub struct PlmUnloadingRule {
 impl PlmUnloadingRule {
     /// Where loading holds.
     pub(crate) fn validity(&self) -> Validity {
-        let widest = if self.hardening.is_some() { 0.32 } else { 0.45 };
+        let widest = match (&self.depth, &self.hardening) {
+            (Some(_), _) => 0.55,
+            (None, Some(_)) => 0.32,
+            (None, None) => 0.45,
+        };
         Validity::new(1.0, self.flattening.as_ref().map_or(widest, |flattening| flattening.max_radius_ratio))
     }
 
@@ -39,6 +47,47 @@ impl PlmUnloadingRule {
     /// ε at a point (x, f) of the loading curve.
     #[inline(always)]
     pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
+        match self.depth_at(x) {
+            None => self.shallow_approach(x, force),
+            Some(depth) => self.deep_approach(depth, x, depth.base().force(x)),
+        }
+    }
+
+    /// ε at a point (x, f) of the loading curve of another law, which has no correction for deep dents.
+    fn approach_of_other_loading(&self, x: f64, force: f64) -> f64 {
+        match self.depth_at(x) {
+            None => self.shallow_approach(x, force),
+            Some(depth) => self.deep_approach(depth, x, force),
+        }
+    }
+
+    /// ε_b at x of a deep dent with the force F_b, and from this ε.
+    #[inline(never)]
+    fn deep_approach(&self, depth: &Depth, x: f64, force: f64) -> f64 {
+        let y = depth.depth_at(x, |x| self.hertz_equivalent_radii_at(depth, x)[1]);
+        (self.shallow_approach(x, force) * depth.recovery_factor(y)).min(x)
+    }
+
+    /// The correction for deep dents, if it changes force and elastic approach at x.
+    #[inline(always)]
+    pub(super) fn depth_at(&self, x: f64) -> Option<&Depth> {
+        self.depth.as_ref().filter(|depth| depth.applies_at(x))
+    }
+
+    /// True if a sphere with this kinetic energy and weight turns before the correction for deep dents applies.
+    #[inline(always)]
+    pub(super) fn turns_before_depth(&self, kinetic: f64, weight: f64) -> bool {
+        self.depth.as_ref().is_none_or(|depth| depth.is_beyond(kinetic, weight))
+    }
+
+    /// The loading curve of a contact with a correction for deep dents.
+    pub(super) fn deep_curve(&self) -> Option<&LoadingCurve> {
+        self.depth.as_ref().map(|depth| depth.curve(|x| self.hertz_equivalent_radii_at(depth, x)[1]))
+    }
+
+    /// ε at a point (x, f) of the loading curve of shallow dents.
+    #[inline(always)]
+    fn shallow_approach(&self, x: f64, force: f64) -> f64 {
         match (&self.flattening, &self.hardening) {
             _ if x <= 1.0 => x,
             (None, _) => self.approach_without_flat(x, force),
@@ -59,16 +108,30 @@ impl PlmUnloadingRule {
         }
     }
 
-    /// A = f/ε at a peak, without the flat of a sphere.
+    /// A = f/ε at a peak, without the flat of a sphere and the correction for deep dents.
     #[inline(always)]
     fn hertz_equivalent_radius(&self, peak: &ContactState) -> f64 {
-        match &self.flattening {
-            Some(flattening) if peak.indentation > 1.0 => {
+        match (&self.flattening, self.depth_at(peak.indentation)) {
+            (Some(flattening), _) if peak.indentation > 1.0 => {
                 let force = flattening.unflattened_curve.force(peak.indentation);
                 force / self.approach_without_flat(peak.indentation, force)
             }
+            (_, Some(depth)) => self.hertz_equivalent_radii_at(depth, peak.indentation)[0],
             _ => peak.force / peak.elastic_approach,
         }
+    }
+
+    /// A at x, and A in units of the strength that the yielding body has reached, without the flat of a sphere and this correction
+    /// for deep dents.
+    fn hertz_equivalent_radii_at(&self, depth: &Depth, x: f64) -> [f64; 2] {
+        let curve = self.flattening.as_ref().map_or(depth.base(), |flattening| &flattening.unflattened_curve);
+        let force = curve.force(x);
+        let equivalent = if x <= 1.0 { force / x } else { force / self.approach_without_flat(x, force) };
+        let in_strength = match &self.hardening {
+            None => equivalent,
+            Some(hardening) => hardening.pressure_shape(x, equivalent).equivalent,
+        };
+        [equivalent, in_strength]
     }
 
     /// At points (x, f) beyond first yield of a law without a flat: A, and A in units of the strength that the yielding body has
@@ -99,7 +162,11 @@ impl PlmUnloadingRule {
     /// The elastic approach and the exponent at a peak on the loading curve of another law. Its force need not be that of this
     /// rule, so A is this force over the elastic approach that belongs to it.
     pub(super) fn recovery(&self, at: &LoadedState) -> Recovery {
-        let of_plm = self.state(at.indentation, at.force);
+        let of_plm = ContactState {
+            indentation: at.indentation,
+            force: at.force,
+            elastic_approach: self.approach_of_other_loading(at.indentation, at.force),
+        };
         let elastic_approach = at.elastic_approach.unwrap_or(of_plm.elastic_approach);
         let equivalent = || match at.elastic_approach {
             None if at.indentation > 1.0 => at.force / self.approach_without_flat(at.indentation, at.force),
@@ -147,7 +214,11 @@ impl PlmUnloadingRule {
             Some(hardening) => {
                 let shape = hardening.pressure_shape(x, equivalent);
                 let geometry = self.radius.geometry_factor_at(equivalent);
-                equivalent / (self.radius.pressure_shape_at(shape.equivalent) * geometry * shape.pile_up_factor())
+                let radius =
+                    equivalent / (self.radius.pressure_shape_at(shape.equivalent) * geometry * shape.pile_up_factor());
+                self.depth.as_ref().map_or(radius, |depth| {
+                    radius / depth.radius_factor(equivalent, || shape.local_hardening_exponent())
+                })
             }
         }
     }
