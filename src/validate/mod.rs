@@ -14,6 +14,7 @@ pub mod laws;
 mod leeb;
 mod oblique;
 mod pictures;
+mod poisson;
 mod quasi_static;
 mod rate;
 pub mod report;
@@ -34,8 +35,11 @@ const SOURCES: &[ComparisonFn] = &[
     quasi_static::cycles,
     dynamic::impacts,
     hardening::unloadings,
+    hardening::deep_unloadings,
+    poisson::unloadings,
     yielding::load_cycles,
     rate::impacts,
+    rate::deep_impacts,
     leeb::rebounds,
     leeb::restitutions_by_hardness,
     yielding::equal_balls,
