@@ -135,7 +135,7 @@ impl Law {
         }
         match self.unloading_rule_at(x) {
             UnloadingRule::Hertz => Unloading::power(ContactState { indentation: x, force, elastic_approach: x }, 1.5),
-            UnloadingRule::PlmRule(rule) => rule.unloading(rule.state(x, force), spent),
+            UnloadingRule::PlmRule(rule) => rule.unloading_from(x, force, spent),
             UnloadingRule::Published(rule) => rule.unloading(x, force, spent),
         }
     }
@@ -153,6 +153,15 @@ impl Law {
     pub fn loaded_state(&self, x: f64) -> ContactState {
         let force = self.loading.force(x);
         ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
+    }
+
+    /// Contact radius a/a_L at x of the loading curve of a PLM without the flat of a sphere. It follows from the force of shallow dents.
+    pub(in crate::contact) fn plm_contact_radius_at(&self, x: f64) -> f64 {
+        let force = self.loading.shallow().force(x);
+        match self.unloading_rule_at(x) {
+            UnloadingRule::PlmRule(rule) => rule.contact_radius_at(x, force / rule.shallow_approach(x, force)),
+            _ => force / x,
+        }
     }
 
     /// The unloading branch from a peak. If loading was elastic (ε = x), n = 3/2 for every rule. The branch never recovers more

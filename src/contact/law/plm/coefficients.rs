@@ -1,5 +1,6 @@
 //! The coefficients of the PLM: a table of data, the check of it, and the law that follows from it for a pair of bodies.
 
+use std::borrow::Cow;
 use std::fmt::Debug;
 use std::sync::{Arc, LazyLock};
 
@@ -9,11 +10,11 @@ use thiserror::Error;
 use super::approach::{ApproachPolyline, ApproachSlopes};
 use super::contact_radius::RadiusTable;
 use super::depth::{Depth, DepthTable};
-use super::poisson::{PoissonTable, pressure_ratio};
+use super::poisson::{PoissonTable, pressure_ratio, squared_positions};
 use super::unloading_rule::PlmUnloadingRule;
 use crate::contact::law::{Law, LawError, UnloadingExponent};
 use crate::contact::pair::Pair;
-use crate::numerics::curve::LoadingCurve;
+use crate::numerics::curve::{Cached, LoadingCurve};
 
 /// Where a set of coefficients comes from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -36,9 +37,18 @@ pub struct ForceTable {
     pub slope: Vec<f64>,
     /// The slope is `slope` + κ² × this.
     pub slope_kappa_squared: Vec<f64>,
+    /// t² at these knots ([`poisson`](super::poisson)), with the knots.
+    #[serde(skip)]
+    positions: Cached<(Vec<f64>, Vec<f64>)>,
 }
 
 impl ForceTable {
+    /// t² at the knots.
+    fn squared_positions(&self) -> Cow<'_, [f64]> {
+        let (knots, positions) = self.positions.0.get_or_init(|| (self.from.clone(), squared_positions(&self.from)));
+        if *knots == self.from { Cow::Borrowed(positions) } else { Cow::Owned(squared_positions(&self.from)) }
+    }
+
     fn slopes(&self, kappa_squared: f64) -> impl Iterator<Item = (f64, f64)> {
         let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
         pieces.map(move |((from, slope), per_kappa)| (*from, slope + per_kappa * kappa_squared))
@@ -216,7 +226,8 @@ impl PlmCoefficients {
         let hertz = LoadingCurve::hertz();
         let (curve, plastic_factor) = match self.poisson {
             Some(poisson) if pressure_ratio != 1.0 => {
-                let factors = poisson.force_factors(&self.force.from, kappa_squared, pressure_ratio);
+                let positions = self.force.squared_positions();
+                let factors = poisson.force_factors(&positions, kappa_squared, pressure_ratio);
                 let slopes = slopes.zip(factors).map(|((from, slope), factor)| (from, slope * factor));
                 (hertz.then_lines(slopes), poisson.approach_factor(pressure_ratio))
             }

@@ -57,7 +57,10 @@ impl DeferredCurve {
 
     /// f at x.
     pub fn force(&self, x: f64) -> f64 {
-        if self.is_shallow(x) { self.shallow.force(x) } else { (**self).force(x) }
+        match self.deep.as_ref().and_then(|rule| Some((rule, rule.depth_at(x)?))) {
+            None => self.shallow.force(x),
+            Some((rule, depth)) => rule.deep_force(depth, x).unwrap_or_else(|| (**self).force(x)),
+        }
     }
 
     /// Work from first touch to x.

@@ -106,6 +106,11 @@ impl Depth {
         &self.base
     }
 
+    /// The x from which y is constant.
+    pub(super) fn constant_from(&self) -> f64 {
+        self.range[1]
+    }
+
     /// True if it changes force and elastic approach at x.
     #[inline(always)]
     pub(super) fn applies_at(&self, x: f64) -> bool {
@@ -148,6 +153,36 @@ impl Depth {
         1.0 + self.table.radius * self.share * (exponent() / FULL_HARDENING).min(1.0) * beyond
     }
 
+    /// F at x from the two points around x, if they are not known from the curve and y still rises there.
+    pub(super) fn force_at(&self, x: f64, mut equivalent: impl FnMut(f64) -> f64) -> Option<f64> {
+        if let Some(curve) = self.curve.0.get() {
+            return Some(curve.force(x));
+        }
+        let [from, to] = self.range;
+        let pieces = self.base.pieces();
+        let index = self.base.index_at(x);
+        if index == 0 || x >= to {
+            return None;
+        }
+        let start = pieces[index].start.max(from);
+        let end = pieces.get(index + 1).map_or(to, |next| next.start.min(to));
+        let mut before = start;
+        let after = geometric_points(start, end).find(|point| {
+            let is_after = *point > x;
+            before = if is_after { before } else { *point };
+            is_after
+        })?;
+        let is_first = before == pieces[1].start.max(from);
+        let [low, high] = [before, after].map(|point| self.base.force(point) / self.divisor(point, &mut equivalent));
+        let low = if is_first { self.base.force(before) } else { low };
+        Some(low + (high - low) * (x - before) / (after - before))
+    }
+
+    /// F_b/F at a point of the curve.
+    fn divisor(&self, x: f64, equivalent: impl FnOnce(f64) -> f64) -> f64 {
+        1.0 + self.table.force * self.depth_at(x, equivalent)
+    }
+
     /// F, where `equivalent` computes A at points with rising x.
     #[inline]
     pub(super) fn curve(&self, equivalent: impl FnMut(f64) -> f64) -> &LoadingCurve {
@@ -162,7 +197,7 @@ impl Depth {
         let first = pieces.get(1).map_or(from, |piece| piece.start.max(from));
         let kept = pieces.partition_point(|piece| piece.start < first).max(1);
         let (inside, beyond) = pieces[kept..].split_at(pieces[kept..].partition_point(|piece| piece.start < to));
-        let mut divisor_at = |x: f64| 1.0 + self.table.force * self.depth_at(x, &mut equivalent);
+        let mut divisor_at = |x: f64| self.divisor(x, &mut equivalent);
         let (mut points, mut start) = (Vec::with_capacity(64), first);
         for end in inside.iter().map(|piece| piece.start).filter(|start| *start > first).chain([to]) {
             points.extend(geometric_points(start, end).map(|x| [x, self.base.force(x) / divisor_at(x)]));

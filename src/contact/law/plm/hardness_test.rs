@@ -61,7 +61,7 @@ pub fn hardness_of_flow_stress(flow_stress: f64, material: &Material) -> f64 {
     let Some(point) = pair.yield_point else { return f64::NAN };
     let ratio = point.contact_radius;
     let law = PlmCoefficients::built_in().law(&pair, ratio, UnloadingExponent::Paper);
-    let width = |x: f64| ratio * law.contact_radius(&law.loaded_state(x));
+    let width = |x: f64| ratio * law.plm_contact_radius_at(x);
     // an elastic contact is as wide at δ = a²/R, a plastic one at no less than a fifth of that
     let elastic = (INDENT_RADIUS_RATIO / ratio) * (INDENT_RADIUS_RATIO / ratio);
     let x = illinois((0.1 * elastic, 2.0 * elastic), |x| INDENT_RADIUS_RATIO - width(x));

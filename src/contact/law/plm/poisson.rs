@@ -34,17 +34,27 @@ pub(super) fn pressure_ratio(point: &YieldPoint) -> f64 {
     yield_factor(FITTED) / of_body
 }
 
+/// t² at the knots of the force.
+pub(super) fn squared_positions(knots: &[f64]) -> Vec<f64> {
+    let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return Vec::new() };
+    let whole = ln(last / first);
+    let position = |knot: &f64| if whole > 0.0 { ln(knot / first) / whole } else { 0.0 };
+    knots.iter().map(position).map(|t| t * t).collect()
+}
+
 impl PoissonTable {
-    /// The factors of the slopes of the force that begin at these knots.
-    pub(super) fn force_factors(&self, knots: &[f64], kappa_squared: f64, ratio: f64) -> Vec<f64> {
-        let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return Vec::new() };
-        let (of_ratio, whole) = (ln(ratio), ln(last / first));
-        let share = self.force * (1.0 + kappa_squared);
-        let factor = |knot: &f64| {
-            let t = if whole > 0.0 { ln(knot / first) / whole } else { 0.0 };
-            exp(of_ratio * (share * t * t).min(1.0))
-        };
-        knots.iter().map(factor).collect()
+    /// The factors of the slopes of the force that begin at knots with these t².
+    pub(super) fn force_factors(
+        &self,
+        squared_positions: &[f64],
+        kappa_squared: f64,
+        ratio: f64,
+    ) -> impl Iterator<Item = f64> {
+        let (of_ratio, share) = (ln(ratio), self.force * (1.0 + kappa_squared));
+        squared_positions.iter().map(move |square| {
+            let exponent = share * square;
+            if exponent < 1.0 { exp(of_ratio * exponent) } else { ratio }
+        })
     }
 
     /// The factor of the plastic slope of the elastic approach.

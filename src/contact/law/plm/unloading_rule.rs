@@ -49,7 +49,7 @@ impl PlmUnloadingRule {
     pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match self.depth_at(x) {
             None => self.shallow_approach(x, force),
-            Some(depth) => self.deep_approach(depth, x, depth.base().force(x)),
+            Some(depth) => self.deep_approach_and_radius(depth, x, depth.base().force(x))[0],
         }
     }
 
@@ -57,15 +57,25 @@ impl PlmUnloadingRule {
     fn approach_of_other_loading(&self, x: f64, force: f64) -> f64 {
         match self.depth_at(x) {
             None => self.shallow_approach(x, force),
-            Some(depth) => self.deep_approach(depth, x, force),
+            Some(depth) => self.deep_approach_and_radius(depth, x, force)[0],
         }
     }
 
-    /// ε_b at x of a deep dent with the force F_b, and from this ε.
+    /// ε and A at x of a deep dent with the force F_b.
     #[inline(never)]
-    fn deep_approach(&self, depth: &Depth, x: f64, force: f64) -> f64 {
-        let y = depth.depth_at(x, |x| self.hertz_equivalent_radii_at(depth, x)[1]);
-        (self.shallow_approach(x, force) * depth.recovery_factor(y)).min(x)
+    fn deep_approach_and_radius(&self, depth: &Depth, x: f64, force: f64) -> [f64; 2] {
+        let approach = self.shallow_approach(x, force);
+        let is_own = self.flattening.is_none() && x <= depth.constant_from();
+        let radii =
+            if is_own { self.in_strength(x, force / approach) } else { self.hertz_equivalent_radii_at(depth, x) };
+        let y =
+            depth.depth_at(
+                x,
+                |deepest| {
+                    if deepest == x { radii[1] } else { self.hertz_equivalent_radii_at(depth, deepest)[1] }
+                },
+            );
+        [(approach * depth.recovery_factor(y)).min(x), radii[0]]
     }
 
     /// The correction for deep dents, if it changes force and elastic approach at x.
@@ -80,6 +90,11 @@ impl PlmUnloadingRule {
         self.depth.as_ref().is_none_or(|depth| depth.is_beyond(kinetic, weight))
     }
 
+    /// The force at x of a deep dent, without the rest of the loading curve. `None` if this takes the whole curve.
+    pub(super) fn deep_force(&self, depth: &Depth, x: f64) -> Option<f64> {
+        depth.force_at(x, |x| self.hertz_equivalent_radii_at(depth, x)[1])
+    }
+
     /// The loading curve of a contact with a correction for deep dents.
     pub(super) fn deep_curve(&self) -> Option<&LoadingCurve> {
         self.depth.as_ref().map(|depth| depth.curve(|x| self.hertz_equivalent_radii_at(depth, x)[1]))
@@ -87,7 +102,7 @@ impl PlmUnloadingRule {
 
     /// ε at a point (x, f) of the loading curve of shallow dents.
     #[inline(always)]
-    fn shallow_approach(&self, x: f64, force: f64) -> f64 {
+    pub(in crate::contact::law) fn shallow_approach(&self, x: f64, force: f64) -> f64 {
         match (&self.flattening, &self.hardening) {
             _ if x <= 1.0 => x,
             (None, _) => self.approach_without_flat(x, force),
@@ -126,12 +141,15 @@ impl PlmUnloadingRule {
     fn hertz_equivalent_radii_at(&self, depth: &Depth, x: f64) -> [f64; 2] {
         let curve = self.flattening.as_ref().map_or(depth.base(), |flattening| &flattening.unflattened_curve);
         let force = curve.force(x);
-        let equivalent = if x <= 1.0 { force / x } else { force / self.approach_without_flat(x, force) };
-        let in_strength = match &self.hardening {
-            None => equivalent,
-            Some(hardening) => hardening.pressure_shape(x, equivalent).equivalent,
-        };
-        [equivalent, in_strength]
+        self.in_strength(x, if x <= 1.0 { force / x } else { force / self.approach_without_flat(x, force) })
+    }
+
+    /// A, and A in units of the strength that the yielding body has reached at x.
+    fn in_strength(&self, x: f64, equivalent: f64) -> [f64; 2] {
+        match &self.hardening {
+            None => [equivalent; 2],
+            Some(hardening) => [equivalent, hardening.pressure_shape(x, equivalent).equivalent],
+        }
     }
 
     /// At points (x, f) beyond first yield of a law without a flat: A, and A in units of the strength that the yielding body has
@@ -145,6 +163,15 @@ impl PlmUnloadingRule {
                 [equivalent, hardening.pressure_shape(x, equivalent).equivalent]
             }
         }
+    }
+
+    /// The branch from a point (x, f) of the loading curve with the requested exponent, if it recovers no more than the work `spent`.
+    #[inline(always)]
+    pub(crate) fn unloading_from(&self, x: f64, force: f64, spent: f64) -> Unloading {
+        let Some(depth) = self.depth_at(x) else { return self.unloading(self.state(x, force), spent) };
+        let [elastic_approach, equivalent] = self.deep_approach_and_radius(depth, x, depth.base().force(x));
+        let peak = ContactState { indentation: x, force, elastic_approach };
+        Unloading::power(peak, allowed_exponent(spent, &peak, self.exponent_at(&peak, || equivalent)))
     }
 
     /// The branch with the requested exponent, if it recovers no more than the work `spent` of loading to the peak.
@@ -208,7 +235,7 @@ impl PlmUnloadingRule {
     }
 
     /// a/a_Y at x, where A is this.
-    pub(super) fn contact_radius_at(&self, x: f64, equivalent: f64) -> f64 {
+    pub(in crate::contact::law) fn contact_radius_at(&self, x: f64, equivalent: f64) -> f64 {
         match &self.hardening {
             None => self.radius.true_radius(equivalent),
             Some(hardening) => {
