@@ -246,7 +246,7 @@ impl Law {
 
     /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1).
     ///
-    /// The radius of the PLM is within 6 % of finite elements up to a = 0.48 R. A mean pressure computed from it has twice the
+    /// The radius of the PLM is within 6 % of finite elements up to a = 0.58 R. A mean pressure computed from it has twice the
     /// error, with the opposite sign.
     pub fn contact_radius(&self, peak: &ContactState) -> f64 {
         if let Some(radius) = self.peak_contact_radius(peak) {
