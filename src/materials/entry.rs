@@ -154,6 +154,11 @@ impl MaterialEntry {
         hardness_test::flow_stress_of_hardness(mean_pressure, &self.elastic())
     }
 
+    /// The flow stress \[Pa\] that the hardness would have at another Poisson's ratio.
+    pub fn flow_stress_at_poissons_ratio(&self, mean_pressure: f64, poissons_ratio: f64) -> f64 {
+        hardness_test::flow_stress_of_hardness(mean_pressure, &Material { poissons_ratio, ..self.elastic() })
+    }
+
     fn elastic(&self) -> Material {
         Material {
             youngs_modulus: self.value(Property::YoungsModulus),

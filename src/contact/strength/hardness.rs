@@ -5,7 +5,7 @@
 //!          its projection
 //! HB, HRB, HRC  converted to Vickers by a table; a number outside of the table is refused
 //! σ        the flow stress, at a plastic strain of 0.08, for which an indentation by the law has this pressure
-//!          (`law::plm::hardness`): p/2.9 for soft metals, p/2.35 for the hardest steels
+//!          (`law::plm::hardness`): p/2.9 for soft metals, p/2.34 for the hardest steels
 //! ```
 //!
 //! Published values of σ in MPa are between 3.3 HV (Tabor's measurements) and 4.0 HV (a cone without friction). So a
