@@ -63,7 +63,7 @@ impl RateClass {
     pub fn rise(self) -> [f64; 2] {
         match self {
             // the smallest value is that of Leeb's conversion of hardness
-            Self::QuenchedSteel => [0.014, 0.10],
+            Self::QuenchedSteel => [0.012, 0.10],
             Self::MildSteelOrAluminium => [0.0, 0.10],
             Self::Copper => [0.0, 0.27],
         }

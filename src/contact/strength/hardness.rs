@@ -12,7 +12,7 @@
 //! strength from hardness alone is known to 10 %, and e to 5 %. For a metal that does not harden further, such as after
 //! quenching or cold work, σ is the yield strength. For a metal that hardens, the hardening exponent is needed too.
 //!
-//! The error against measurements is systematic: against Leeb's conversion of quenched steels e is 1.4 to 4.5 % too low at every hardness
+//! The error against measurements is systematic: against Leeb's conversion of quenched steels e is 1.2 to 4.1 % too low at every hardness
 //! (with the exponent "pressure-shape"). An impact strains the metal 10⁴ to 10⁵ times as fast as a hardness test, and metals
 //! are stronger then.
 

@@ -86,7 +86,12 @@ impl IndependentLaw {
                 let [[x0, f0], [x1, f1]] = [self.deep[after - 1], self.deep[after]];
                 f0 + (f1 - f0) * (x - x0) / (x1 - x0)
             }
-            _ => unreachable!("the finite elements end before"),
+            after => {
+                let ([from, slope, extra], [start, force]) = (&self.force, self.deep[after - 1]);
+                let last = from.len() - 1;
+                let slope = slope[last] + self.kappa.powi(2) * extra[last];
+                force + slope / (1.0 + self.of_depth("force") * self.depth(start)) * (x - start)
+            }
         }
     }
 
