@@ -221,6 +221,26 @@ fn errors_on_page_of_limits_are_those_of_validation() {
     assert!(limits.contains(&sentence), "{sentence}");
 }
 
+/// The page on limits shows the errors of e by contact radius as the table of the interval of e has them.
+#[test]
+fn errors_of_deep_dents_are_those_of_the_interval() {
+    let (limits, errors) = (read("scenarios/trust.md"), read("src/scenario/keys/interval/law_errors.csv"));
+    let cell = |class: &str, to: &str| {
+        let begin = format!("{class},pressure_shape,{to},");
+        let row = errors.lines().find_map(|line| line.strip_prefix(&begin)).unwrap();
+        let percent = |share: &str| {
+            let value = format!("{:+.1}", 100.0 * share.parse::<f64>().unwrap());
+            value.replace('-', "−")
+        };
+        let [_, mean, low, high] = row.split(',').collect::<Vec<_>>()[..] else { panic!("{row}") };
+        format!("{} % ({} to {} %)", percent(mean), percent(low), percent(high))
+    };
+    for (range, to) in [("up to 0.3", "0.3"), ("0.3 to 0.4", "0.4"), ("0.4 to 0.58", "0.58")] {
+        let row = format!("| {range} | {} | {} |", cell("perfectly_plastic", to), cell("hardening", to));
+        assert!(limits.contains(&row), "{row}");
+    }
+}
+
 /// The guide states the largest representative plastic strain of the first scenario at three speeds, from a formula that it gives.
 #[test]
 fn strains_in_guide_are_those_of_the_first_scenario() {

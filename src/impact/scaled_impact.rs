@@ -60,8 +60,9 @@ impl Contact {
                 0.0 => "kinetic energy in units of that at first yield",
                 _ => "kinetic energy and weight in units of those at first yield",
             };
-            finite_positive(quantity, q * q + weight / self.scales.units.force)?;
-            (self.scales, Surface::new(&self.law, dent), q)
+            let weight = weight / self.scales.units.force;
+            finite_positive(quantity, q * q + weight)?;
+            (self.scales, Surface::hit_with(&self.law, dent, kinetic_energy(q), weight), q)
         } else {
             let scales = Scales::from_hertz_impact(self.pair(), self.reduced_mass(), speed, gravity)?;
             (scales, hertz_law().into(), speed / scales.speed)

@@ -63,7 +63,7 @@ impl RateClass {
     pub fn rise(self) -> [f64; 2] {
         match self {
             // the smallest value is that of Leeb's conversion of hardness
-            Self::QuenchedSteel => [0.014, 0.10],
+            Self::QuenchedSteel => [0.012, 0.10],
             Self::MildSteelOrAluminium => [0.0, 0.10],
             Self::Copper => [0.0, 0.27],
         }
@@ -152,6 +152,11 @@ impl MaterialEntry {
     /// The flow stress \[Pa\] at a plastic strain of 0.08 of the material with that hardness.
     pub fn flow_stress(&self, mean_pressure: f64) -> f64 {
         hardness_test::flow_stress_of_hardness(mean_pressure, &self.elastic())
+    }
+
+    /// The flow stress \[Pa\] that the hardness would have at another Poisson's ratio.
+    pub fn flow_stress_at_poissons_ratio(&self, mean_pressure: f64, poissons_ratio: f64) -> f64 {
+        hardness_test::flow_stress_of_hardness(mean_pressure, &Material { poissons_ratio, ..self.elastic() })
     }
 
     fn elastic(&self) -> Material {

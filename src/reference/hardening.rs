@@ -26,9 +26,12 @@ impl ReferenceRow {
 
     /// The bodies for which a law is built; never `None`, because the half-space yields.
     pub fn bodies(&self) -> Result<Option<YieldingPair>, PairError> {
-        // the law in units of the yield point does not depend on the radius
-        let half_space = self.half_space();
-        Ok(YieldingPair::new(&Pair::try_new(&Sphere::elastic(1.0, self.sphere(), f64::NAN), &half_space)?))
+        Ok(YieldingPair::new(&Pair::try_new(&self.ball(), &self.half_space())?))
+    }
+
+    /// The sphere; the law in units of the yield point does not depend on the radius.
+    pub fn ball(&self) -> Sphere {
+        Sphere::elastic(1.0, self.sphere(), f64::NAN)
     }
 
     /// How the half-space hardens: in words, such as "power 0.1". `None` if the words name no curve.

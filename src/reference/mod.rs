@@ -35,6 +35,11 @@ pub const RATE_IMPACTS: ReferenceTable = table!("fe_rate.csv");
 pub const UNLOADINGS: ReferenceTable = table!("fe_unloading.csv");
 pub const CURVES_OF_UNLOADINGS: ReferenceTable = table!("fe_unloading_curves.csv");
 pub const HARDENING: ReferenceTable = table!("fe_hardening.csv");
+/// Full unloadings of deep dents, and of half-spaces with another Poisson's ratio than 0.3.
+pub const DEEP_UNLOADINGS: ReferenceTable = table!("fe_deep.csv");
+pub const POISSONS_RATIOS: ReferenceTable = table!("fe_poisson.csv");
+/// Whole impacts of shots that leave deep dents.
+pub const DEEP_IMPACTS: ReferenceTable = table!("fe_deep_impacts.csv");
 /// Load cycles in which the sphere yields, alone or with the half-space.
 pub const YIELDING: ReferenceTable = table!("fe_yielding.csv");
 /// Impact devices after Leeb with what they show on two test blocks, and the ranges of hardness and strength of steels.

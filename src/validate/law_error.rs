@@ -6,17 +6,18 @@ use std::fmt::Write as _;
 use super::cases::cases;
 use super::comparison::{deviation, mean};
 use super::load_cycle::LoadCycle;
-use super::{dynamic, yielding};
+use super::{dynamic, poisson, rate, yielding};
 use crate::contact::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
-use crate::reference::HARDENING;
+use crate::reference::{DEEP_IMPACTS, DEEP_UNLOADINGS, HARDENING};
 use crate::scenario::keys::interval::law_error::{BodyClass, EXPONENTS};
 
 /// The largest contact radii over the radius of the sphere that bound the groups of each class.
-const MAX_RADIUS_RATIOS: [(BodyClass, &[f64]); 4] = [
-    (BodyClass::PerfectlyPlastic, &[0.3, 0.45]),
-    (BodyClass::Hardening, &[0.3]),
+const MAX_RADIUS_RATIOS: [(BodyClass, &[f64]); 5] = [
+    (BodyClass::PerfectlyPlastic, &[0.3, 0.4, 0.58]),
+    (BodyClass::Hardening, &[0.3, 0.4, 0.58]),
     (BodyClass::YieldingSphere, &[0.3]),
+    (BodyClass::OtherPoissonsRatio, &[0.3]),
     (BodyClass::All, &[f64::INFINITY]),
 ];
 
@@ -34,12 +35,25 @@ pub fn cycle_errors(coefficients: &PlmCoefficients, exponent: UnloadingExponent)
             Some((BodyClass::PerfectlyPlastic, cycle.row.number("contact_radius_over_R"), error))
         }));
     }
-    for row in HARDENING.rows()? {
+    for row in [HARDENING.rows()?, DEEP_UNLOADINGS.rows()?].concat() {
         let Some(bodies) = row.bodies()? else { continue };
-        let plm = Plm { flow: [None, row.curve()], ..Plm::new(coefficients, exponent) };
+        let flow = row.curve();
+        let class = if flow.is_some() { BodyClass::Hardening } else { BodyClass::PerfectlyPlastic };
+        let plm = Plm { flow: [None, flow], ..Plm::new(coefficients, exponent) };
         let cycle = LoadCycle::with_work(&plm.law_for_yielding_pair(&bodies), row.number("spent"));
         let error = deviation(row.number("restitution"), cycle.restitution);
-        errors.push((BodyClass::Hardening, row.number("contact_radius_over_R"), error));
+        errors.push((class, row.number("contact_radius_over_R"), error));
+    }
+    for cycle in poisson::cycles(coefficients, exponent)? {
+        let [reference, law] = cycle.ratios();
+        let radius_ratio = cycle.row.number("contact_radius_over_R");
+        errors.push((BodyClass::OtherPoissonsRatio, radius_ratio, deviation(reference, law)));
+    }
+    for (row, impact) in rate::impacts_of(&DEEP_IMPACTS, coefficients, exponent)? {
+        let is_hardening = row.optional_number("half_space.flow_stress.power.exponent").is_some();
+        let class = if is_hardening { BodyClass::Hardening } else { BodyClass::PerfectlyPlastic };
+        let error = deviation(row.number("restitution"), impact.row.measured_restitution());
+        errors.push((class, row.number("contact_radius_over_R"), error));
     }
     for cycle in yielding::yielding_cycles(coefficients, exponent)? {
         let error = deviation(cycle.row.number("e"), cycle.at_work.restitution);
@@ -72,7 +86,8 @@ pub fn law_errors_csv(coefficients: &PlmCoefficients) -> Result<String, Error> {
             let mut from = 0.0;
             for &to in bounds {
                 let is_here = |(other, ratio, _): &&CycleError| {
-                    (class == BodyClass::All || *other == class) && *ratio > from && *ratio <= to
+                    let is_of_all = class == BodyClass::All && *other != BodyClass::OtherPoissonsRatio;
+                    (is_of_all || *other == class) && *ratio > from && *ratio <= to
                 };
                 let mut here: Vec<f64> = errors.iter().filter(is_here).map(|(.., error)| *error).collect();
                 here.sort_by(f64::total_cmp);

@@ -15,6 +15,7 @@ mod leeb;
 mod load_cycle;
 pub mod oblique;
 mod pictures;
+mod poisson;
 mod quasi_static;
 mod rate;
 pub mod report;
@@ -35,8 +36,11 @@ const SOURCES: &[ComparisonFn] = &[
     quasi_static::cycles,
     dynamic::impacts,
     hardening::unloadings,
+    hardening::deep_unloadings,
+    poisson::unloadings,
     yielding::load_cycles,
     rate::impacts,
+    rate::deep_impacts,
     leeb::rebounds,
     leeb::restitutions_by_hardness,
     yielding::equal_balls,

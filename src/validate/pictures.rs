@@ -7,6 +7,7 @@ use super::comparison::{EXPONENTS, deviation};
 use super::dynamic;
 use super::figure_10::figure_10;
 use super::hardening::hardening_law;
+use super::law_error::cycle_errors;
 use super::leeb::restitution as of_device;
 use super::load_cycle::LoadCycle;
 use super::oblique::{FRICTION, alumina_on_glass, rebound, single_spring_ratio};
@@ -18,6 +19,7 @@ use crate::impact::{ImpactError, TraceRow};
 use crate::numerics::functions::{exp, ln, sin_cos};
 use crate::reference::{HARDENING, LEEB_DEVICES, LEEB_STEELS, REBOUNDS, ReferenceRow};
 use crate::report::chart::{Axis, Chart, Panel, PictureFormat, Series, Style};
+use crate::scenario::keys::interval::law_error::BodyClass;
 use crate::units::{Dimension, format_result};
 
 /// A picture before it is drawn, with the name of its file without the ending.
@@ -45,6 +47,7 @@ pub fn pictures(
     }
     pictures.extend(dynamic::cases(coefficients)?.iter().map(impact));
     pictures.push(hardening(coefficients)?);
+    pictures.push(restitution_error_against_radius(coefficients)?);
     pictures.push(yielding(coefficients, &cases)?);
     pictures.push(leeb(coefficients)?);
     pictures.push(oblique()?);
@@ -83,6 +86,29 @@ fn restitution_error_against_depth(cases: &[MaterialCase], coefficients: &PlmCoe
     let panels = EXPONENTS.into_iter().enumerate().map(of_exponent).collect();
     let chart = Chart::with_panels("Restitution of the law less that of finite elements", depth_axis(), panels);
     ("error-restitution".to_owned(), chart.with_caption(CASES))
+}
+
+/// The classes in the picture of errors against contact radius.
+const CLASSES: [(BodyClass, &str); 4] = [
+    (BodyClass::PerfectlyPlastic, "perfectly plastic"),
+    (BodyClass::Hardening, "hardens"),
+    (BodyClass::YieldingSphere, "sphere yields"),
+    (BodyClass::OtherPoissonsRatio, "ν 0.03 to 0.42, over ν = 0.3"),
+];
+
+/// The deviation of the restitution of all load cycles and impacts, over the contact radius.
+fn restitution_error_against_radius(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
+    let errors = cycle_errors(coefficients, UnloadingExponent::PressureShape)?;
+    let of_class = |(i, (class, name)): (usize, (BodyClass, &str))| {
+        let here = errors.iter().filter(|(other, ..)| *other == class);
+        Series::points(name, here.map(|(_, ratio, error)| (*ratio, 100.0 * error)).collect()).with_style(i)
+    };
+    let series = CLASSES.into_iter().enumerate().map(of_class).collect();
+    let mut panel = Panel::new(Axis::linear("e off, pressure-shape", "%"), series);
+    panel.guides.push(Series::horizontal(0.0, ""));
+    let x = Axis::linear("Contact radius over radius of the sphere", "");
+    let chart = Chart::with_panels("Restitution of the law less that of finite elements", x, vec![panel]);
+    Ok(("error-restitution-contact-radius".to_owned(), chart.with_caption("load cycles and whole impacts")))
 }
 
 fn restitution_against_depth(case: &MaterialCase, coefficients: &PlmCoefficients) -> Picture {

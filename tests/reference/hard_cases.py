@@ -5,14 +5,14 @@ energy balance for the peak and e, quadrature for the time. The law is written d
 import tomllib
 from pathlib import Path
 
-from mpmath import asin, atan, findroot, inf, mp, mpf, pi, quad, sqrt
+from mpmath import asin, atan, ceil, findroot, inf, log, mp, mpf, pi, quad, sqrt
 
 mp.dps = 50
 FIFTHS = mpf(2) / 5
 TABLE = tomllib.loads(
     (Path(__file__).parents[2] / "src/contact/law/plm/coefficients.toml").read_text(), parse_float=mpf
 )
-FORCE, LINE = TABLE["force"], TABLE["elastic_approach"]
+FORCE, LINE, POISSON, DEPTH = (TABLE[name] for name in ("force", "elastic_approach", "poisson", "depth"))
 
 
 def loading(starts, slopes):
@@ -26,16 +26,58 @@ def loading(starts, slopes):
     return pieces
 
 
-def plm(kappa, a_over_r):
-    pieces = loading(FORCE["from"], [s + k * kappa**2 for s, k in zip(FORCE["slope"], FORCE["slope_kappa_squared"])])
-    return pieces, elastic_line(kappa, a_over_r)
+def force_at(pieces, x):
+    start, f, _, s = [piece for piece in pieces if piece[0] <= x][-1]
+    return (x - start) ** 1.5 if s is None else f + s * (x - start)
 
 
-def elastic_line(kappa, a_over_r):
+def plm(kappa, a_over_r, c=mpf(1)):
+    """The law of a half-space that yields alone, with c = C(0.3)/C(nu)."""
+    t = [log(x / FORCE["from"][0]) / log(FORCE["from"][-1] / FORCE["from"][0]) for x in FORCE["from"]]
+    slopes = [
+        (s + k * kappa**2) * c ** min(1, POISSON["force"] * (1 + kappa**2) * t ** 2)
+        for s, k, t in zip(FORCE["slope"], FORCE["slope_kappa_squared"], t)
+    ]
+    shallow, line = loading(FORCE["from"], slopes), elastic_line(kappa, a_over_r, c ** POISSON["approach"])
+    from_x, to_x = DEPTH["from"] / a_over_r**2, DEPTH["to"] / a_over_r**2
+    if to_x <= FORCE["from"][0]:
+        return shallow, line
+    plastic_from = 1 + LINE["plastic_from_rho"] * (1 - kappa)
+
+    def y(x):
+        if x <= from_x:
+            return mpf(0)
+        x = min(x, to_x)
+        f = force_at(shallow, x)
+        return (x * a_over_r**2 - DEPTH["from"]) * max(0, 1 - plastic_from * line(x, f) / f)
+
+    def approach(x, f):
+        if x <= from_x:
+            return line(x, f)
+        eps = line(x, force_at(shallow, x))
+        return min(x, eps * (1 + DEPTH["recovery"] * (DEPTH["recovery_kappa"] - kappa) * y(x)))
+
+    first = max(from_x, FORCE["from"][0])
+    knots = [first, *(x for x, *_ in shallow if first < x < to_x), to_x]
+    points = []
+    for start, end in zip(knots, knots[1:]):
+        count = int(ceil(log(end / start) / log(mpf("1.1"))))
+        points += [start * (end / start) ** (mpf(i) / count) for i in range(1, count)] + [end]
+    points += [x for x, *_ in shallow if x > to_x]
+    pieces = [piece for piece in shallow if piece[0] < first]
+    x, f, w = first, force_at(shallow, first), work_at(shallow, first)
+    for end in points:
+        force = force_at(shallow, end) / (1 + DEPTH["force"] * y(end))
+        pieces.append((x, f, w, (force - f) / (end - x)))
+        x, f, w = end, force, w + (end - x) * (f + force) / 2
+    return [*pieces, (x, f, w, shallow[-1][3] / (1 + DEPTH["force"] * y(to_x)))], approach
+
+
+def elastic_line(kappa, a_over_r, plastic_factor):
     plastic_from = 1 + LINE["plastic_from_rho"] * (1 - kappa)
     geometry = [(max(1, a / a_over_r), k) for a, k in zip(LINE["geometry_from"], LINE["geometry_factor"])]
     first = LINE["first_slope"] + LINE["first_slope_kappa_squared"] * kappa**2
-    plastic = LINE["plastic_slope"] + LINE["plastic_slope_kappa_squared"] * kappa**2
+    plastic = (LINE["plastic_slope"] + LINE["plastic_slope_kappa_squared"] * kappa**2) * plastic_factor
 
     def slope(a):
         s = plastic if a >= plastic_from else min(first, LINE["first_slope_limit"])
@@ -129,7 +171,8 @@ def yield_factor(nu):
 
 
 def scene(kappa=mpf(1) / 2, nu=mpf("0.3"), strength=mpf("3e-3")):
-    return plm(kappa, pi * yield_factor(nu) * strength / 2)
+    c = yield_factor(mpf("0.3")) / yield_factor(max(nu, mpf(0)))
+    return plm(kappa, pi * yield_factor(nu) * strength / 2, c)
 
 
 def speed_to(law, x):

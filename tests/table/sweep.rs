@@ -53,7 +53,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
     assert_relative_eq!(number(12) + number(13), 1.0, max_relative = 1e-14);
 }
 
-/// The PLM holds up to a contact radius of 0.45 R, and no law beyond R: at 3 m/s steel is at 0.13 R, at 100 m/s at 0.8 R.
+/// The PLM holds up to a contact radius of 0.55 R, and no law beyond R: at 3 m/s steel is at 0.13 R, at 100 m/s at 0.8 R.
 #[test]
 fn rows_outside_the_law_have_a_status() {
     let sweep = "[sweep]\n\"impact.speed\" = [3, 10, 30, 60, 100, 1000]\n";
@@ -61,7 +61,7 @@ fn rows_outside_the_law_have_a_status() {
     let ratios = numbers(&table, "contact_radius_over_R");
     assert!(ratios[..5].is_sorted() && ratios[0] < 0.2 && ratios[5].is_nan(), "{ratios:?}");
     for (ratio, is_outside) in ratios.iter().zip(numbers(&table, "is_outside_validity")).take(5) {
-        assert_eq!(is_outside, f64::from(u8::from(*ratio > 0.45)), "{ratio}");
+        assert_eq!(is_outside, f64::from(u8::from(*ratio > 0.55)), "{ratio}");
     }
     assert_eq!(numbers(&table, "is_outside_validity").iter().filter(|is_outside| **is_outside == 1.0).count(), 2);
     assert_eq!(column(&table, "status"), ["ok", "ok", "ok", "ok", "ok", "outside_law"]);
@@ -189,7 +189,7 @@ fn case_without_result_has_a_status() {
 #[test]
 fn sphere_released_at_contact_has_no_restitution() {
     // gravity is so large that the sphere leaves a dent
-    let tables = "[gravity]\nacceleration = 8e6\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\"]\n";
+    let tables = "[gravity]\nacceleration = 6e6\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\"]\n";
     let text = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + tables;
     let desk = Sandbox::with_results(&text);
     let whole = desk.read("out/table.csv");
@@ -261,15 +261,18 @@ fn summary_lists_shared_inputs_and_model_warnings() {
     assert_eq!(inputs["half_space_yield_strength_Pa"], 345e6);
     assert_eq!(inputs["law"], "plm");
     assert!(!inputs.contains_key("impact_speed_m_per_s") && !inputs.contains_key("sphere_radius_m"), "{inputs:?}");
-    // a/R = 0.45 is exceeded above about 20 m/s for the softer half-space; the warning names the worst corner
-    let axes = "\"impact.speed\" = [1, 40, 2]\n\"half_space.yield_strength\" = [\"200 MPa\", \"2 GPa\"]\n";
+    // a/R = 0.55 is exceeded above about 45 m/s for the softer half-space; the warning names the worst corner
+    let axes = "\"impact.speed\" = [1, 60, 2]\n\"half_space.yield_strength\" = [\"200 MPa\", \"2 GPa\"]\n";
     let beyond = summary(&format!("[sweep]\n{axes}"));
-    let warning = beyond["warnings"][0].as_str().unwrap();
-    for wanted in ["impact.speed = 40 m/s, half_space.yield_strength = 200 MPa", "exceeds 0.45"] {
-        assert!(warning.contains(wanted), "{warning}");
-    }
+    let of_depth = |summary: &Value| {
+        let mut warnings =
+            summary["warnings"].as_array().unwrap().iter().map(|warning| warning.as_str().unwrap().to_owned());
+        warnings.find(|warning| warning.contains("exceeds 0.55")).unwrap_or_else(|| panic!("{summary}"))
+    };
+    let warning = of_depth(&beyond);
+    assert!(warning.contains("impact.speed = 60 m/s, half_space.yield_strength = 200 MPa"), "{warning}");
     let random = "[monte_carlo]\nsamples = 9\n\"impact.speed\" = { uniform = [1, 100] }\n";
-    assert!(summary(random)["warnings"][0].as_str().unwrap().contains("exceeds 0.45"));
+    of_depth(&summary(random));
 }
 
 #[test]

@@ -1,22 +1,21 @@
 //! The one way from a point of the loading curve to an unloading branch, by any rule.
 
 use super::UnloadingRule;
+use super::plm::DeferredCurve;
 use super::unloading::{ContactState, LoadedPoint, Unloading, allowed_exponent};
-use crate::numerics::curve::LoadingCurve;
 
 impl UnloadingRule {
     /// The unloading branch from a point of this loading curve.
     #[inline(always)]
-    pub(super) fn unload(&self, loading: &LoadingCurve, at: &LoadedPoint) -> Unloading {
+    pub(super) fn unload(&self, loading: &DeferredCurve, at: &LoadedPoint) -> Unloading {
         let &LoadedPoint { indentation, force, .. } = at;
         let work = || at.work.unwrap_or_else(|| loading.work(indentation));
         let peak = |elastic_approach| ContactState { indentation, force, elastic_approach };
         match self {
             Self::Hertz => Unloading::power(peak(at.elastic_approach.unwrap_or(indentation)), 1.5),
             Self::PlmRule(rule) => {
-                let approach = || rule.elastic_approach(indentation, force);
-                let peak = peak(at.elastic_approach.unwrap_or_else(approach));
-                Unloading::power(peak, allowed_exponent(work(), &peak, rule.requested_exponent(&peak)))
+                let (peak, requested) = rule.peak_and_exponent(at);
+                Unloading::power(peak, allowed_exponent(work(), &peak, requested))
             }
             Self::Published(rule) => rule.unload(indentation, force, work()),
             // the force of a memory is the force after the relaxation
@@ -25,7 +24,7 @@ impl UnloadingRule {
     }
 
     /// ε at a point (x, f) of this loading curve while it loads.
-    pub(super) fn elastic_approach(&self, loading: &LoadingCurve, x: f64, force: f64) -> f64 {
+    pub(super) fn elastic_approach(&self, loading: &DeferredCurve, x: f64, force: f64) -> f64 {
         match self {
             Self::Hertz => x,
             Self::PlmRule(rule) => rule.elastic_approach(x, force),

@@ -110,6 +110,22 @@ impl<'a> Surface<'a> {
         Self { law, reloading_path, reloading_branch: dent.map(|dent| &dent.unloading), is_of_other_rate }
     }
 
+    /// The surface that a sphere of this kinetic energy and weight hits (in units of Φ L and Φ). On fresh surface its path need not
+    /// go deeper than the sphere.
+    #[inline]
+    pub(crate) fn hit_with(law: &'a Law, dent: Option<&'a LoadingHistory>, kinetic: f64, weight: f64) -> Self {
+        let Some(dent) = dent else {
+            let reloading_path = law.loading.reached_by(kinetic, weight);
+            return Self { law, reloading_path, reloading_branch: None, is_of_other_rate: false };
+        };
+        Self::new(law, Some(dent))
+    }
+
+    /// Fresh surface whose path goes on as in shallow dents.
+    pub(crate) fn of_shallow_dents(law: &'a Law) -> Self {
+        Self { reloading_path: law.loading.shallow(), ..Self::hit_with(law, None, 0.0, 0.0) }
+    }
+
     /// The unloading branch that reloading follows; `None` on fresh surface.
     #[inline]
     pub fn reloading_branch(&self) -> Option<&'a Unloading> {

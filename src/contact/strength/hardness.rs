@@ -5,14 +5,14 @@
 //!          its projection
 //! HB, HRB, HRC  converted to Vickers by a table; a number outside of the table is refused
 //! σ        the flow stress, at a plastic strain of 0.08, for which an indentation by the law has this pressure
-//!          (`law::plm::hardness`): p/2.9 for soft metals, p/2.35 for the hardest steels
+//!          (`law::plm::hardness`): p/2.9 for soft metals, p/2.34 for the hardest steels
 //! ```
 //!
 //! Published values of σ in MPa are between 3.3 HV (Tabor's measurements) and 4.0 HV (a cone without friction). So a
 //! strength from hardness alone is known to 10 %, and e to 5 %. For a metal that does not harden further, such as after
 //! quenching or cold work, σ is the yield strength. For a metal that hardens, the hardening exponent is needed too.
 //!
-//! The error against measurements is systematic: against Leeb's conversion of quenched steels e is 1.4 to 4.5 % too low at every hardness
+//! The error against measurements is systematic: against Leeb's conversion of quenched steels e is 1.2 to 4.1 % too low at every hardness
 //! (with the exponent "pressure-shape"). An impact strains the metal 10⁴ to 10⁵ times as fast as a hardness test, and metals
 //! are stronger then.
 

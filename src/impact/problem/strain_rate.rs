@@ -131,21 +131,28 @@ impl Contact {
 
     /// δ_m \[m\] of the impact on fresh surface with this factor, without gravity, damping and plate.
     fn peak_indentation(&self, rates: &RateDependence, factor: f64, speed: f64) -> Result<f64, ImpactError> {
-        let deepest = |contact: &Self, scales: &Scales| {
-            let q = speed / scales.speed;
-            let ground = Surface::from(&contact.law);
-            let (last, distance) = ground.turning_point(kinetic_energy(q), 0.0);
-            (ground.piece(last).start + distance) * scales.units.length
+        let turning_indentation = |ground: Surface, energy: f64| {
+            let (last, distance) = ground.turning_point(energy, 0.0);
+            ground.piece(last).start + distance
+        };
+        let deepest = |Self { law, scales, .. }: &Self| {
+            let energy = kinetic_energy(speed / scales.speed);
+            turning_indentation(Surface::hit_with(law, None, energy, 0.0), energy) * scales.units.length
         };
         if factor == 1.0 {
-            return Ok(deepest(self, &self.scales));
+            return Ok(deepest(self));
         }
-        if self.law.has_universal_curve() {
+        if self.law.universal_curve().is_some() {
             let pair = self.pair().with_raised_strength(factor)?;
-            return Ok(deepest(self, &Scales::from_pair(&pair, self.reduced_mass())?));
+            let scales = Scales::from_pair(&pair, self.reduced_mass())?;
+            let energy = kinetic_energy(speed / scales.speed);
+            let indentation = turning_indentation(Surface::of_shallow_dents(&self.law), energy);
+            if self.law.is_shallow(indentation * factor * factor) {
+                return Ok(indentation * scales.units.length);
+            }
         }
         let raised = self.with_factors(rates, factor)?;
-        Ok(deepest(&raised, &raised.scales))
+        Ok(deepest(&raised))
     }
 
     /// This contact with its strength raised by this factor, without a strain-rate dependence.
@@ -156,11 +163,11 @@ impl Contact {
             return Ok(contact);
         }
         let pair = self.pair().with_raised_strength(factor)?;
-        if let (LawChoice::Plm(plm), true, Some(bodies)) =
-            (&rates.law, self.law.has_universal_curve(), YieldingPair::new(&pair))
+        if let (LawChoice::Plm(plm), Some(shallow), Some(bodies)) =
+            (&rates.law, self.law.universal_curve(), YieldingPair::new(&pair))
         {
             let scales = Scales::from_pair(&pair, self.reduced_mass())?;
-            return Ok(self.with_law(pair, plm.rescaled_law(&self.law, &bodies), scales, scales.speed));
+            return Ok(self.with_law(pair, plm.rescaled_law(shallow, &bodies), scales, scales.speed));
         }
         let mut law = rates.law.clone();
         law.set_rate_factor(factor);

@@ -15,6 +15,12 @@ pub struct Warning {
 pub enum WarningKind {
     /// a/R above the data or the assumptions of the law.
     DeepDent,
+    /// A deep dent in a metal that does not harden: a lip of piled-up metal carries force.
+    DeepSoftDent,
+    /// A deep and fast dent: the inertia of the target takes part in the impact.
+    TargetInertia,
+    /// A Poisson's ratio below those of the finite elements.
+    NegativePoissonsRatio,
     /// A strength above the range of solids, as from a mistaken unit.
     HighStrength,
     /// A density below the range of solids, as from a mistaken unit.

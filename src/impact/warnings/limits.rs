@@ -12,6 +12,12 @@ pub const ADHESION_RANGE: f64 = 7.0;
 pub const MIN_FITTED_YIELD_STRAIN: f64 = 5e-4;
 /// a/R from which on two unequal balls that both yield have an additional error.
 pub const MAX_UNEQUAL_BALLS_RATIO: f64 = 0.1;
+/// a/R from which on the metal under a stiff sphere must not be perfectly plastic: it forms a lip, which the law does not have.
+pub const MAX_SOFT_RADIUS_RATIO: f64 = 0.4;
+/// The smallest Poisson's ratio of a yielding body that is near enough to those of the finite elements, 0.03 to 0.42.
+pub const MIN_POISSONS_RATIO: f64 = -0.1;
+/// The share of the peak force up to which the inertia of the half-space is negligible.
+pub const MAX_INERTIA_SHARE: f64 = 0.02;
 /// a/R from which on a sphere ploughs if it hits at more than 45° from the normal.
 pub const MAX_PLOUGHING_RATIO: f64 = 0.1;
 /// Dundurs' β from which on finite elements show that it is neglected.

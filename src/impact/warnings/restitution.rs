@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 use super::bodies::{flow_warnings, ignored_strength, material_warnings, yielding_warning};
 use super::limits::{
     ADHESION_RANGE, MAX_CONTACT_OVER_THICKNESS, MAX_DEFLECTION_OVER_THICKNESS, MAX_MEASURED_ZENER_NUMBER,
-    MAX_UNEQUAL_BALLS_RATIO, MIN_THICK_PLATE_TRANSITS, MIN_THIN_PLATE_TRANSITS, MIN_TRANSITS, MIN_WAVE_TRANSITS,
-    WORK_OF_ADHESION,
+    MAX_SOFT_RADIUS_RATIO, MAX_UNEQUAL_BALLS_RATIO, MIN_POISSONS_RATIO, MIN_THICK_PLATE_TRANSITS,
+    MIN_THIN_PLATE_TRANSITS, MIN_TRANSITS, MIN_WAVE_TRANSITS, WORK_OF_ADHESION,
 };
 use crate::contact::body::Support;
-use crate::contact::law::Law;
+use crate::contact::law::{Law, UnloadingRule};
 use crate::contact::pair::Pair;
 use crate::impact::problem::contact::Contact;
 use crate::impact::problem::plate::{Plate, PlateTheory};
@@ -29,6 +29,8 @@ pub(super) fn restitution_warnings(contact: &Contact, speed: f64, pressure: f64,
     warnings.extend(material_warnings(contact, row));
     warnings.extend(unequal_balls_warning(contact.pair(), ratio));
     warnings.extend(dent_warning(&contact.law, ratio));
+    warnings.extend(soft_dent_warning(contact, ratio));
+    warnings.extend(negative_ratio_warning(contact, row));
     warnings.extend(short_contact_warning(contact, row.contact_time));
     warnings.extend(adhesion_warning(contact, speed));
     if let (Some(plate), Some(on_plate)) = (&contact.forces().plate, &row.plate) {
@@ -63,9 +65,10 @@ impl Contact {
             };
             Some(Bias { reason, is_shift, low, high })
         };
-        // what is known of a strength is a part of its own
+        // what is known of a strength is a part of its own, and what is known of a deep dent is the part of the law
+        let is_other_part = |kind| matches!(kind, WarningKind::NoExponent | WarningKind::DeepSoftDent);
         let warnings = restitution_warnings(self, speed, pressure, row).into_iter();
-        warnings.filter(|warning| warning.kind != WarningKind::NoExponent).map(bias).collect()
+        warnings.filter(|warning| !is_other_part(warning.kind)).map(bias).collect()
     }
 }
 
@@ -75,6 +78,34 @@ pub(crate) fn dent_warning(law: &Law, ratio: f64) -> Option<Warning> {
     Warning::new_if(ratio > limit, WarningKind::DeepDent, ratio, || {
         format!(
             "Force, dent and e are estimates. Contact radius / sphere radius (a/R) = {ratio:.3} exceeds {limit}, the limit of validity of this law. Reduce the indentation."
+        )
+    })
+}
+
+/// κ of a sphere that is not stiff.
+const SOFT_SPHERE: f64 = 0.75;
+
+/// The warning for a deep dent of a stiff sphere in a metal that does not harden.
+fn soft_dent_warning(contact: &Contact, ratio: f64) -> Option<Warning> {
+    let UnloadingRule::PlmRule(rule) = contact.law.rule_while_loading() else { return None };
+    let limit = contact.law.validity.max_radius_ratio;
+    let is_deep = ratio > MAX_SOFT_RADIUS_RATIO && ratio <= limit;
+    let is_soft = rule.hardening.is_none() && contact.pair().sphere_compliance < SOFT_SPHERE;
+    Warning::new_if(is_deep && is_soft, WarningKind::DeepSoftDent, ratio, || {
+        format!(
+            "e may be up to 6 % too high. Contact radius / sphere radius (a/R) = {ratio:.3} exceeds {MAX_SOFT_RADIUS_RATIO}, and the metal is perfectly plastic: finite elements form a lip around such a dent. Give the flow curve of the metal (flow_stress)."
+        )
+    })
+}
+
+/// The warning for a body that yields and has a Poisson's ratio below those of the finite elements.
+fn negative_ratio_warning(contact: &Contact, row: &ImpactRow) -> Option<Warning> {
+    let ratio = contact.pair().yield_point?.poissons_ratio;
+    let is_plm = matches!(contact.law.rule_while_loading(), UnloadingRule::PlmRule(_));
+    let is_outside = is_plm && row.has_dent() && ratio < MIN_POISSONS_RATIO;
+    Warning::new_if(is_outside, WarningKind::NegativePoissonsRatio, -ratio, || {
+        format!(
+            "Force, dent and e are extrapolations. Poisson's ratio {ratio} of the yielding body is below {MIN_POISSONS_RATIO}; finite elements confirm the law from 0.03 to 0.42. Calibrate the strength with a measured rebound."
         )
     })
 }

@@ -80,11 +80,22 @@ pub fn material_page(entry: &MaterialEntry) -> String {
     text
 }
 
+/// Poisson's ratio of most metals.
+const USUAL_POISSONS_RATIO: f64 = 0.3;
+/// The share of the flow stress from which on the page states the part of Poisson's ratio.
+const NOTABLE: f64 = 0.015;
+
 /// The flow stress and the yield strength that follow from a hardness.
 fn strength_text(entry: &MaterialEntry, mean_pressure: f64) -> String {
     let stress = entry.flow_stress(mean_pressure);
+    let at_usual_ratio = entry.flow_stress_at_poissons_ratio(mean_pressure, USUAL_POISSONS_RATIO);
+    let by_ratio = if (stress / at_usual_ratio - 1.0).abs() > NOTABLE {
+        format!("; / {} with nu = {USUAL_POISSONS_RATIO}", format_four_digits(mean_pressure / at_usual_ratio))
+    } else {
+        String::new()
+    };
     let flow = format!(
-        "flow stress {} (mean pressure / {})",
+        "flow stress {} (mean pressure / {}{by_ratio})",
         format_result(stress, Dimension::Pressure),
         format_four_digits(mean_pressure / stress)
     );

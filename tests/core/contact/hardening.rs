@@ -90,7 +90,8 @@ proptest! {
 
     #[test]
     fn saturating_measured_curves_satisfy_looser_bounds((law, bodies, _) in any_measured_law()) {
-        is_monotonic(&law, &bodies, 1.0, 2e-3, 1e-2)?;
+        // a metal that hardly hardens any more gives way in a deep dent
+        is_monotonic(&law, &bodies, 0.9, 2e-3, 1e-2)?;
     }
 }
 
@@ -148,13 +149,13 @@ fn error_of_e_matches_table_of_strengths() {
     };
     let (shape, paper) = (UnloadingExponent::PressureShape, UnloadingExponent::Paper);
     for (strain, exponent, most, extreme) in [
-        (None, shape, 0.011, -0.029),
-        (None, paper, 0.040, -0.064),
+        (None, shape, 0.011, -0.027),
+        (None, paper, 0.041, -0.062),
         (Some(0.0), shape, 0.23, -0.53),
-        (Some(0.0), paper, 0.25, -0.54),
-        (Some(0.002), shape, 0.15, -0.37),
-        (Some(0.002), paper, 0.17, -0.39),
-        (Some(0.08), shape, 0.17, 0.35),
+        (Some(0.0), paper, 0.25, -0.55),
+        (Some(0.002), shape, 0.15, -0.38),
+        (Some(0.002), paper, 0.17, -0.40),
+        (Some(0.08), shape, 0.17, 0.34),
         (Some(0.08), paper, 0.15, 0.32),
     ] {
         let off = off_by(strain, exponent);

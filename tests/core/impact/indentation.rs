@@ -128,7 +128,7 @@ fn step_warns_once_of_its_own_problem() {
     let contact = StaticContact::try_new(&strong, &half_space, &plm).unwrap();
     let warnings = |targets: &[SetPoint]| contact.indent(targets, None).unwrap().warnings;
     assert!(warnings(&[Load(1.0), Load(0.0)]).is_empty());
-    let found = warnings(&[Load(1.0), Load(80.0), Load(0.0), Load(90.0)]);
+    let found = warnings(&[Load(1.0), Load(170.0), Load(0.0), Load(180.0)]);
     assert!(
         matches!(
             found[..],

@@ -43,12 +43,13 @@ fn law_error_holds_the_finite_elements() {
             let of_class: Vec<_> =
                 errors.iter().filter(|(other, ..)| class == BodyClass::All || *other == class).collect();
             let n = of_class.iter().filter(|error| is_held(error)).count();
-            assert!(10 * n >= 9 * of_class.len() && n > 20, "{name}, {}: {n} of {}", class.name(), of_class.len());
+            assert!(10 * n >= 9 * of_class.len() && n >= 12, "{name}, {}: {n} of {}", class.name(), of_class.len());
         }
-        // an interval of e this wide still says something, and the exponent of the paper is low on one side
+        // an interval of e this wide still says something, and up to a/R = 0.3 the exponent of the paper is low on one side
         for row in law_error_table().iter().filter(|row| row.exponent == name) {
-            assert!(row.high - row.low < 0.06 && row.low <= row.mean && row.mean <= row.high, "{row:?}");
-            assert!(name != "paper" || row.high < 0.0, "{row:?}");
+            assert!(row.high - row.low < 0.08 && row.low <= row.mean && row.mean <= row.high, "{row:?}");
+            let is_shallow = row.max_radius_ratio == 0.3 && row.class != BodyClass::OtherPoissonsRatio;
+            assert!(name != "paper" || !is_shallow || row.high < 0.0, "{row:?}");
         }
     }
 }
@@ -168,8 +169,8 @@ fn interval_contains_e_of_warnings() {
     assert!(intervals > 150 && warned > 30, "{intervals} {warned}");
 }
 
-/// Other Poisson's ratios than those of the load cycles: e is as far off as finite elements say (at 0.03: 4.4 to 8.7 % low, at 0.10: 3.5
-/// to 5.7 % low, at 0.42: 1.8 to 2.7 % high), and there is no interval below 0.
+/// Other Poisson's ratios than those of the other load cycles: a part as wide as the largest error of e against finite elements from 0.03
+/// to 0.42, and no interval below 0.
 #[test]
 fn interval_holds_finite_elements_at_other_poissons_ratios() {
     let part = |poissons_ratio: f64, strength: &str| {
@@ -180,18 +181,17 @@ fn interval_holds_finite_elements_at_other_poissons_ratios() {
         Some(interval.parts.into_iter().find(|part| part.name == "Poisson's ratio").map(|part| [part.low, part.high]))
     };
     let strength = "yield_strength = \"345 MPa\"";
-    for (poissons_ratio, low, high) in
-        [(0.03, 1.0 / 0.956, 1.0 / 0.913), (0.1, 1.0 / 0.965, 1.0 / 0.943), (0.42, 1.0 / 1.027, 1.0 / 1.018)]
+    let errors = cycle_errors(PlmCoefficients::built_in(), UnloadingExponent::PressureShape).unwrap();
+    let errors: Vec<f64> =
+        errors.iter().filter(|(class, ..)| *class == BodyClass::OtherPoissonsRatio).map(|(.., error)| *error).collect();
+    assert_eq!(errors.len(), 12);
+    for (poissons_ratio, strength) in
+        [(0.03, strength), (0.1, strength), (0.42, strength), (0.1, "hardness = \"120 HV\"")]
     {
         let [from, to] = part(poissons_ratio, strength).unwrap().unwrap();
-        assert!(1.0 + from <= low && high <= 1.0 + to, "{poissons_ratio}: {from} {to}");
-        assert!(to - from < 0.11 && (from == 0.0 || to == 0.0), "one side: {from} {to}");
+        assert!(to < 0.016 && from == -to, "{poissons_ratio}: {from} {to}");
+        assert!(errors.iter().all(|error| error.abs() < to + 1e-5), "{errors:?}");
     }
     assert_eq!(part(0.3, strength), Some(None));
     assert_eq!(part(-0.1, strength), None);
-    let [from, to] = part(0.1, "hardness = \"120 HV\"").unwrap().unwrap();
-    assert!(
-        (from + to).abs() < 1e-12 && (to - 0.03).abs() < 1e-12,
-        "a hardness has the pressure of its test: {from} {to}"
-    );
 }

@@ -125,7 +125,9 @@ fn without_slip_the_sphere_swings_on_a_spring() {
 /// ran away in dents of more than 1e6 yield indentations: 6.0 at 1e-7 degrees, and no answer below.
 #[test]
 fn hardly_slipping_friction_in_deep_dent_has_limit() {
-    let soft = ["sphere.yield_strength=10 MPa", "sphere.poissons_ratio=0", "half_space.yield_strength=1e14"];
+    let coefficients = "law.plm.coefficients=tests/reference/coefficients-24.toml";
+    let soft =
+        ["sphere.yield_strength=10 MPa", "sphere.poissons_ratio=0", "half_space.yield_strength=1e14", coefficients];
     let contact = contact(STEEL, &soft);
     let ratio = |angle: f64, friction: f64| {
         let (impact, rebound) = impact(&contact, approach(3.0, angle, friction, 0.0), Some(3));

@@ -135,12 +135,16 @@ pub fn the_law_is_orderly(run: &Run) -> Judgement {
         let x = 1.0 + 10_f64.powf(-2.0 + 0.06 * f64::from(i));
         let peak = law.loaded_state(x);
         prop_assert!(peak.force > before.force, "{x}");
-        if law.contact_radius(&peak) * per_radius > 0.45 || matches!(exponent, UnloadingExponent::Fixed(_)) {
+        // where the indentation is larger than the sphere, no law holds
+        let is_too_deep = law.contact_radius(&peak) * per_radius > 0.55 || x * per_radius * per_radius > 1.0;
+        if is_too_deep || matches!(exponent, UnloadingExponent::Fixed(_)) {
             before = peak;
             continue;
         }
         let growth = (peak.force / before.force).ln() / (peak.indentation / before.indentation).ln();
-        prop_assert!(growth > 1.0 || !is_alone, "{}: {}", x, growth);
+        // a deep dent gives way
+        let least_growth = if x * per_radius * per_radius > 0.035 { 0.9 } else { 1.0 };
+        prop_assert!(growth > least_growth || !is_alone, "{}: {}", x, growth);
         prop_assert!(peak.elastic_approach > before.elastic_approach, "{x}");
         prop_assert!(law.contact_radius(&peak) >= law.contact_radius(&before), "{x}");
         prop_assert!(peak.residual() >= before.residual() - lost * x, "{}: {:?} {:?}", x, peak, before);

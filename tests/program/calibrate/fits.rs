@@ -217,7 +217,7 @@ fn hardness_is_returned_on_its_given_scale() {
     );
     let (told, _) =
         desk.run_expecting(&[&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], &arguments[..]].concat(), 0);
-    let line = format!("{vickers:.2} HV ({:.3} GPa)", 1e-9 * pressure);
+    let line = format!("{vickers:.2} HV ({:.1} MPa)", 1e-6 * pressure);
     assert!(told.contains(&line), "{told}: {line}");
     // on another scale the same pressure, and beyond the table of a scale the pressure alone
     let (_, brinell) = run_calibration(&of("hardness = \"285 HB\""), "", &arguments, 0);

@@ -48,10 +48,10 @@ fn mass_replaces_density() {
 #[test]
 fn hardness_replaces_yield_strength() {
     for (hardness, wanted) in [
-        ("\"300 HV\"", 1_143_580_700.198_075_5),
-        ("\"285 HB\"", 1_143_580_700.198_075_5),
-        ("\"29.8 HRC\"", 1_143_580_700.198_075_5),
-        ("\"60.1 HRC\"", 2_991_442_035.539_433_5),
+        ("\"300 HV\"", 1_153_797_625.732_568_5),
+        ("\"285 HB\"", 1_153_797_625.732_568_5),
+        ("\"29.8 HRC\"", 1_153_797_625.732_568_5),
+        ("\"60.1 HRC\"", 3_013_390_789.322_440_9),
     ] {
         let strength = input_of(&with_hardness(hardness)).half_space().yield_strength.unwrap();
         assert!(relative_error(strength, wanted) < 1e-11, "{hardness}: {strength}");
@@ -62,12 +62,12 @@ fn hardness_replaces_yield_strength() {
     );
     let table = table.read("out/table.csv");
     let [strengths, e] = ["half_space_yield_strength_Pa", "restitution"].map(|name| numbers(&table, name));
-    for ((got, e), wanted) in strengths.iter().zip(e).zip([743_476_353.118_887_7, 1_566_488_017.801_822]) {
+    for ((got, e), wanted) in strengths.iter().zip(e).zip([749_271_039.306_507_1, 1_581_299_156.517_662]) {
         let alone = input_of(&STEEL.replace("\"345 MPa\"", &format!("{got:e}")));
         assert!(relative_error(*got, wanted) < 1e-11 && relative_error(e, restitution(&alone)) < 1e-14, "{got} {e}");
     }
     // also in scenes without an impact
-    let still = |table: &str| with_hardness("\"1.006703112184141 GPa\"").replace("[impact]\nspeed = \"3 m/s\"", table);
+    let still = |table: &str| with_hardness("\"1.000122020840274 GPa\"").replace("[impact]\nspeed = \"3 m/s\"", table);
     let pressed = Scenario::from_text("s.toml", &still("[indentation]\nsteps = [{ load = \"1 kN\" }]"), &[]).unwrap();
     let specimens = pressed.indentation().unwrap().specimens;
     assert!(relative_error(specimens[0].half_space.yield_strength.unwrap(), 345e6) < 1e-11);
@@ -75,7 +75,7 @@ fn hardness_replaces_yield_strength() {
         assert!(
             relative_error(
                 input_of(&with_hardness(pressure)).half_space().yield_strength.unwrap(),
-                1_076_699_422.712_246
+                1_086_092_343.417_381_5
             ) < 1e-11
         );
     }
@@ -87,12 +87,12 @@ fn hardness_with_exponent_holds_at_strain_0_08() {
         .replace("[impact]", "[half_space.flow_stress]\npower = { exponent = 0.1 }\n[impact]");
     let scene = input_of(&text);
     let strength = scene.half_space().yield_strength.unwrap();
-    assert!(relative_error(strength, 843_782_897.820_715_2) < 1e-10, "{strength}");
+    assert!(relative_error(strength, 852_118_419.191_218_5) < 1e-10, "{strength}");
     // the same after a change of the modulus
     let mut changed = scene;
     NumericKey::find("half_space.youngs_modulus").unwrap().set_exclusive(&mut changed, 100e9);
     let strength = changed.half_space().yield_strength.unwrap();
-    assert!(relative_error(strength, 1_012_142_663.287_387_1) < 1e-10, "{strength}");
+    assert!(relative_error(strength, 1_020_803_430.849_911_6) < 1e-10, "{strength}");
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
     let nine_pieces =
         [concat!("law.plm.coefficients=", env!("CARGO_MANIFEST_DIR"), "/tests/reference/coefficients-9.toml")];
     let leeb = Scenario::load(file, &Override::list(&nine_pieces)).unwrap().resolve().unwrap();
-    assert!(relative_error(restitution(&leeb), 0.549_555_148_585_249_6) < 1e-8, "{}", restitution(&leeb));
+    assert!(relative_error(restitution(&leeb), 0.552_105_882_113_3) < 1e-8, "{}", restitution(&leeb));
     // the same for a metal that hardens with the exponent 0.1
     let text = fs::read_to_string(file).unwrap() + "[half_space.flow_stress]\npower = { exponent = 0.1 }\n";
     let text = text.replace("hardness = \"300 HV\"", "yield_strength = 803547686.0702806");
@@ -189,7 +189,7 @@ fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
     assert!(relative_error(restitution(&hardening), 0.513_146_638_758_511_5) < 1e-8, "{}", restitution(&hardening));
 }
 
-/// At these loads a simulated Brinell test gives 11 to 14 % more than the number typed, as scenarios/trust.md explains. The parts: the
+/// At these loads a simulated Brinell test gives 11 to 15 % more than the number typed, as scenarios/trust.md explains. The parts: the
 /// table of ISO 18265 (HV = 1.05 HB), the faces of the pyramid over their projection (1/0.9272), and the area of the cap.
 #[test]
 fn simulated_brinell_test_reads_high() {
@@ -205,7 +205,7 @@ fn simulated_brinell_test_reads_high() {
         let area = std::f64::consts::PI * radius * radius;
         let cap = 10.0 * std::f64::consts::PI * (5.0 - (25.0 - radius * radius).sqrt());
         let tested = load / cap / hardness;
-        assert!((1.105..1.145).contains(&tested), "{hardness} HB: {tested}");
-        assert!((tested * cap / area / (1.05 / 0.9272) - 1.0).abs() < 0.02, "{hardness} HB: {}", tested * cap / area);
+        assert!((1.105..1.155).contains(&tested), "{hardness} HB: {tested}");
+        assert!((tested * cap / area / (1.05 / 0.9272) - 1.0).abs() < 0.025, "{hardness} HB: {}", tested * cap / area);
     }
 }

@@ -1,4 +1,4 @@
-//! The built-in coefficients follow from the curves that they were fitted to: this fits them again, by least squares.
+//! The built-in coefficients of shallow dents follow from the curves that they were fitted to: this fits them again, by least squares.
 
 use std::collections::BTreeMap;
 
@@ -42,7 +42,7 @@ fn force_slopes_follow_from_curves() {
             rows.iter().map(|row| {
                 let x = row["delta_over_deltaY"];
                 let (known, integrals) = smooth(x, law.kappa);
-                (known, integrals, row["F_over_FY"], law.force(x))
+                (known, integrals, row["F_over_FY"], law.shallow_force(x))
             })
         })
         .collect();
@@ -90,7 +90,7 @@ fn elastic_approach_coefficients_are_least_squares() {
             for row in rows.iter() {
                 let x = row["delta_over_deltaY"];
                 let reference = row["delta_s_over_delta"] * x / law.kappa;
-                sum += (law.approach(x) / reference).ln().powi(2);
+                sum += (law.shallow_approach(x) / reference).ln().powi(2);
             }
             law.table["elastic_approach"][key] = before.into();
         }

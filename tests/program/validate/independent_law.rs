@@ -10,6 +10,8 @@ pub struct IndependentLaw {
     force: [Vec<f64>; 3],
     pub kappa: f64,
     pub a_y: f64,
+    /// Points of the force in deep dents, from δ/R = 0.035 on.
+    deep: Vec<[f64; 2]>,
 }
 
 pub fn list(table: &toml::Table, of: &str, key: &str) -> Vec<f64> {
@@ -35,14 +37,66 @@ impl IndependentLaw {
         let a_y = std::f64::consts::PI * 1.613_160_7 * 1e-3 * strength / (2.0 * e_star);
         let table = toml::from_str(BUILT_IN).unwrap();
         let force = ["from", "slope", "slope_kappa_squared"].map(|key| list(&table, "force", key));
-        Self { table, force, kappa: e_star / e_s, a_y }
+        let shallow = Self { table, force, kappa: e_star / e_s, a_y, deep: Vec::new() };
+        Self { deep: shallow.deep_points(), ..shallow }
     }
 
     fn one(&self, key: &str) -> f64 {
         self.table["elastic_approach"][key].as_float().unwrap()
     }
 
+    fn of_depth(&self, key: &str) -> f64 {
+        self.table["depth"][key].as_float().unwrap()
+    }
+
+    /// x at which δ/R begins to matter, and from which it does no more.
+    fn depths(&self) -> [f64; 2] {
+        ["from", "to"].map(|key| self.of_depth(key) / (self.a_y * self.a_y))
+    }
+
+    /// y at x.
+    fn depth(&self, x: f64) -> f64 {
+        let [from, to] = self.depths();
+        let x = x.min(to);
+        let plastic_from = 1.0 + self.one("plastic_from_rho") * (1.0 - self.kappa);
+        let share = 1.0 - plastic_from * self.shallow_approach(x) / self.shallow_force(x);
+        if x <= from { 0.0 } else { (x * self.a_y * self.a_y - self.of_depth("from")) * share.max(0.0) }
+    }
+
+    /// The knots and the ends of the range, with points at most 10 % apart between them.
+    fn deep_points(&self) -> Vec<[f64; 2]> {
+        let [from, to] = self.depths();
+        let knots = self.force[0].iter().copied();
+        let ends: Vec<f64> =
+            [from].into_iter().chain(knots.clone().filter(|x| (from..to).contains(x))).chain([to]).collect();
+        let mut points = vec![[from, self.shallow_force(from)]];
+        let mut add = |x: f64| points.push([x, self.shallow_force(x) / (1.0 + self.of_depth("force") * self.depth(x))]);
+        for pair in ends.windows(2) {
+            let count = ((pair[1] / pair[0]).ln() / 1.1_f64.ln()).ceil();
+            (1..=count as u32).for_each(|i| add(pair[0] * (pair[1] / pair[0]).powf(f64::from(i) / count)));
+        }
+        knots.filter(|x| *x > to).for_each(add);
+        points
+    }
+
     pub fn force(&self, x: f64) -> f64 {
+        match self.deep.partition_point(|[start, _]| *start <= x) {
+            0 => self.shallow_force(x),
+            after if after < self.deep.len() => {
+                let [[x0, f0], [x1, f1]] = [self.deep[after - 1], self.deep[after]];
+                f0 + (f1 - f0) * (x - x0) / (x1 - x0)
+            }
+            after => {
+                let ([from, slope, extra], [start, force]) = (&self.force, self.deep[after - 1]);
+                let last = from.len() - 1;
+                let slope = slope[last] + self.kappa.powi(2) * extra[last];
+                force + slope / (1.0 + self.of_depth("force") * self.depth(start)) * (x - start)
+            }
+        }
+    }
+
+    /// The force without the correction for deep dents.
+    pub fn shallow_force(&self, x: f64) -> f64 {
         let [from, slope, extra] = &self.force;
         let mut force = x.min(from[0]).powf(1.5);
         for i in 0..from.len() {
@@ -74,7 +128,13 @@ impl IndependentLaw {
     }
 
     pub fn approach(&self, x: f64) -> f64 {
-        let force = self.force(x);
+        let recovery = self.of_depth("recovery") * (self.of_depth("recovery_kappa") - self.kappa);
+        (self.shallow_approach(x) * (1.0 + recovery * self.depth(x))).min(x)
+    }
+
+    /// ε without the correction for deep dents.
+    pub fn shallow_approach(&self, x: f64) -> f64 {
+        let force = self.shallow_force(x);
         // ε = line(f/ε): the left side rises in ε, the right side falls
         let (mut low, mut high) = (0.0, x);
         if x <= 1.0 || self.line(force / x) >= x {
@@ -105,14 +165,14 @@ impl IndependentLaw {
 
     pub fn restitution(&self, x: f64, is_paper: bool) -> f64 {
         let (force, approach) = (self.force(x), self.approach(x));
-        let lambda = Self::pressure_shape(force / approach);
+        let lambda = Self::pressure_shape(self.shallow_force(x) / self.shallow_approach(x));
         let n = if is_paper { 1.5 } else { 1.5 - 0.807_46 * (lambda - 1.0) };
         (force * approach / (n + 1.0) / self.work(x)).sqrt()
     }
 
     /// a/R, narrower than â/Λ from â/R = 0.105 on.
     pub fn contact_radius(&self, x: f64) -> f64 {
-        let a = self.force(x) / self.approach(x);
+        let a = self.shallow_force(x) / self.shallow_approach(x);
         let geometry = 1.0 + (0.25 + 0.145 * self.kappa.powi(2)) * (a * self.a_y - 0.105).max(0.0);
         a * self.a_y / Self::pressure_shape(a) / geometry
     }

@@ -1,17 +1,20 @@
 //! The coefficients of the PLM: a table of data, the check of it, and the law that follows from it for a pair of bodies.
 
+use std::borrow::Cow;
 use std::fmt::Debug;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::approach::{ApproachPolyline, ApproachSlopes};
 use super::contact_radius::RadiusTable;
+use super::depth::{Depth, DepthTable};
+use super::poisson::{PoissonTable, pressure_ratio, squared_positions};
 use super::unloading_rule::PlmUnloadingRule;
 use crate::contact::law::{Law, LawError, UnloadingExponent};
 use crate::contact::pair::Pair;
-use crate::numerics::curve::LoadingCurve;
+use crate::numerics::curve::{Cached, LoadingCurve};
 
 /// Where a set of coefficients comes from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -34,14 +37,31 @@ pub struct ForceTable {
     pub slope: Vec<f64>,
     /// The slope is `slope` + κ² × this.
     pub slope_kappa_squared: Vec<f64>,
+    /// t² at these knots ([`poisson`](super::poisson)), with the knots.
+    #[serde(skip)]
+    positions: Cached<(Vec<f64>, Vec<f64>)>,
 }
 
 impl ForceTable {
-    pub fn curve(&self, kappa_squared: f64) -> LoadingCurve {
-        let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
-        let lines = pieces.map(|((from, slope), per_kappa)| (*from, slope + per_kappa * kappa_squared));
-        LoadingCurve::hertz().then_lines(lines).with_transit_series()
+    /// t² at the knots.
+    fn squared_positions(&self) -> Cow<'_, [f64]> {
+        let (knots, positions) = self.positions.0.get_or_init(|| (self.from.clone(), squared_positions(&self.from)));
+        if *knots == self.from { Cow::Borrowed(positions) } else { Cow::Owned(squared_positions(&self.from)) }
     }
+
+    fn slopes(&self, kappa_squared: f64) -> impl Iterator<Item = (f64, f64)> {
+        let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
+        pieces.map(move |((from, slope), per_kappa)| (*from, slope + per_kappa * kappa_squared))
+    }
+}
+
+/// What pairs of the same κ² and the same Poisson's ratio share, in units of first yield.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SharedLoading {
+    /// The force of shallow dents.
+    pub(super) curve: Arc<LoadingCurve>,
+    /// The factor of the plastic slope of the elastic approach.
+    pub(super) plastic_factor: f64,
 }
 
 /// The polyline of ε in A.
@@ -72,6 +92,12 @@ pub struct PlmCoefficients {
     pub force: ForceTable,
     pub elastic_approach: ApproachTable,
     pub contact_radius: RadiusTable,
+    /// Without it, the law of ν = 0.3 serves every Poisson's ratio.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub poisson: Option<PoissonTable>,
+    /// Without it, the law of shallow dents serves every depth.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth: Option<DepthTable>,
 }
 
 /// Why a table of coefficients is refused.
@@ -132,7 +158,11 @@ impl PlmCoefficients {
         let knots = is_rising(&r.from) && r.from.len() == r.ratio.len();
         let ratios = r.ratio.iter().all(|v| (1.0..=1.6).contains(v));
         let narrower = is_non_negative(&with_kappa(r.geometry_slope, r.geometry_slope_kappa_squared));
-        let rules: [(bool, &'static str, &dyn Debug, &'static str); 14] = [
+        let numbers = self.poisson.map_or([0.0; 2], |poisson| [poisson.force, poisson.approach]);
+        let depth = self.depth.map_or([0.0; 5], |d| [d.from, d.force, d.recovery, d.radius, d.radius_from]);
+        let deepest = self.depth.is_none_or(|d| d.from < d.to && d.to.is_finite());
+        let kappa = self.depth.is_none_or(|d| (0.0..=1.0).contains(&d.recovery_kappa));
+        let rules: [(bool, &'static str, &dyn Debug, &'static str); 18] = [
             (same, "force.slope", &f.slope, "force.from, slope and slope_kappa_squared have the same length"),
             (starts, "force.from", &f.from, "rising, the first at least 1 (first yield)"),
             (is_positive(&f.slope), "force.slope", &f.slope, "> 0"),
@@ -157,6 +187,10 @@ impl PlmCoefficients {
                 &r.geometry_slope,
                 ">= 0, with geometry_slope_kappa_squared too",
             ),
+            (is_non_negative(&numbers), "poisson", &self.poisson, "force and approach are >= 0"),
+            (is_non_negative(&depth), "depth", &self.depth, "no number is negative"),
+            (deepest, "depth.to", &self.depth, "to is greater than from"),
+            (kappa, "depth.recovery_kappa", &self.depth, "from 0 to 1"),
         ];
         match rules.iter().find(|(holds, ..)| !holds) {
             Some((_, key, value, rule)) => Err(CoefficientsError::Value { key, value: format!("{value:?}"), rule }),
@@ -175,20 +209,51 @@ impl PlmCoefficients {
     /// The law, without the flat of a sphere, for a pair that yields at `a_Y` / R = `yield_radius_ratio`.
     pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
         let [kappa, _] = pair.law_shares();
-        Law::plm(self.force.curve(kappa * kappa), self.unloading_rule(pair, yield_radius_ratio, exponent))
+        let shared = self.shared_loading(kappa * kappa, Self::pressure_ratio(pair));
+        let depth = self.depth(pair, yield_radius_ratio, &shared.curve);
+        let rule = self.unloading_rule(pair, yield_radius_ratio, exponent, shared.plastic_factor);
+        Law::plm(shared.curve, Arc::new(PlmUnloadingRule { depth, ..rule }))
     }
 
-    /// How a pair of constant strengths unloads, without the flat of a sphere.
+    /// c of a pair ([`poisson`](super::poisson)); 1 for bodies that do not yield.
+    pub(super) fn pressure_ratio(pair: &Pair) -> f64 {
+        pair.yield_point.as_ref().map_or(1.0, pressure_ratio)
+    }
+
+    /// The loading of shallow dents for this κ² and this c.
+    pub(super) fn shared_loading(&self, kappa_squared: f64, pressure_ratio: f64) -> SharedLoading {
+        let slopes = self.force.slopes(kappa_squared);
+        let hertz = LoadingCurve::hertz();
+        let (curve, plastic_factor) = match self.poisson {
+            Some(poisson) if pressure_ratio != 1.0 => {
+                let positions = self.force.squared_positions();
+                let factors = poisson.force_factors(&positions, kappa_squared, pressure_ratio);
+                let slopes = slopes.zip(factors).map(|((from, slope), factor)| (from, slope * factor));
+                (hertz.then_lines(slopes), poisson.approach_factor(pressure_ratio))
+            }
+            _ => (hertz.then_lines(slopes), 1.0),
+        };
+        SharedLoading { curve: Arc::new(curve.with_transit_series()), plastic_factor }
+    }
+
+    /// How a pair of constant strengths unloads from a shallow dent, without the flat of a sphere.
     pub(super) fn unloading_rule(
         &self,
         pair: &Pair,
         yield_radius_ratio: f64,
         exponent: UnloadingExponent,
+        plastic_factor: f64,
     ) -> PlmUnloadingRule {
         let [kappa, _] = pair.law_shares();
-        let line = ApproachPolyline::new(&self.approach_slopes(pair), yield_radius_ratio);
+        let line = ApproachPolyline::new(&self.approach_slopes(pair, plastic_factor), yield_radius_ratio);
         let radius = self.contact_radius.for_contact(kappa * kappa, yield_radius_ratio);
-        PlmUnloadingRule { approach: line, hardening: None, flattening: None, radius, exponent }
+        PlmUnloadingRule { approach: line, hardening: None, flattening: None, depth: None, radius, exponent }
+    }
+
+    /// The correction for deep dents of a pair whose force in shallow dents is `base`.
+    pub(super) fn depth(&self, pair: &Pair, yield_radius_ratio: f64, base: &Arc<LoadingCurve>) -> Option<Depth> {
+        let [_, rho] = pair.law_shares();
+        Depth::new(self.depth?, pair, yield_radius_ratio, self.plastic_from(rho), base)
     }
 
     /// A from which the contact is fully plastic, for this 1 − κ.
@@ -197,7 +262,7 @@ impl PlmCoefficients {
     }
 
     /// The slopes and knots of the polyline of the elastic approach.
-    pub(super) fn approach_slopes(&self, pair: &Pair) -> ApproachSlopes {
+    pub(super) fn approach_slopes(&self, pair: &Pair, plastic_factor: f64) -> ApproachSlopes {
         let [kappa, rho] = pair.law_shares();
         let kappa_squared = kappa * kappa;
         let table = &self.elastic_approach;
@@ -205,7 +270,7 @@ impl PlmCoefficients {
         ApproachSlopes {
             first,
             plastic_from: self.plastic_from(rho),
-            plastic: table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared,
+            plastic: (table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared) * plastic_factor,
             geometry: table.geometry_from.iter().copied().zip(table.geometry_factor.iter().copied()).collect(),
         }
     }

@@ -16,9 +16,12 @@
 pub mod approach;
 pub mod coefficients;
 pub mod contact_radius;
+pub mod deferred_curve;
+pub mod depth;
 pub mod flattening;
 pub mod hardening;
 pub mod hardness_test;
+pub mod poisson;
 pub mod unloading_rule;
 
 use std::sync::{Arc, LazyLock};
@@ -30,7 +33,9 @@ use crate::contact::pair::Pair;
 use crate::contact::strength::flow_curve::FlowCurve;
 use crate::numerics::curve::{Cached, LoadingCurve};
 pub use approach::ApproachPolyline;
-pub use coefficients::{CoefficientSource, CoefficientsError, PlmCoefficients};
+pub use coefficients::{CoefficientSource, CoefficientsError, PlmCoefficients, SharedLoading};
+pub use deferred_curve::DeferredCurve;
+pub use depth::Depth;
 pub use flattening::Flattening;
 pub use hardening::Hardening;
 pub use unloading_rule::PlmUnloadingRule;
@@ -49,8 +54,19 @@ pub struct Plm {
     pub flow: [Option<FlowCurve>; 2],
     /// By how much the rate of strain raises the whole flow curve of the body that yields; its strength has it already.
     pub rate_factor: f64,
-    /// The curve of the first pair, with the coefficients and the κ² that it was made of: pairs of the same share it.
-    pub cached_curve: Cached<(Arc<PlmCoefficients>, f64, Arc<LoadingCurve>)>,
+    /// The loading of the first pair: pairs with the same source share it.
+    pub shared_loading: Cached<(LoadingSource, SharedLoading)>,
+}
+
+/// The numbers that the loading of shallow dents is made of: the coefficients, κ² and c ([`poisson`]).
+#[derive(Debug, Clone)]
+pub struct LoadingSource(Arc<PlmCoefficients>, f64, f64);
+
+impl PartialEq for LoadingSource {
+    /// Tables are equal only if they are the same table.
+    fn eq(&self, other: &Self) -> bool {
+        self.1 == other.1 && self.2 == other.2 && Arc::ptr_eq(&self.0, &other.0)
+    }
 }
 
 impl Default for Plm {
@@ -60,7 +76,7 @@ impl Default for Plm {
             exponent: UnloadingExponent::Paper,
             flow: [None, None],
             rate_factor: 1.0,
-            cached_curve: Cached::default(),
+            shared_loading: Cached::default(),
         }
     }
 }
@@ -84,11 +100,17 @@ impl Plm {
 
     /// The loading of this PLM with the unloading of another one, or of itself.
     pub(super) fn unloading_by(&self, other: &Self, bodies: &YieldingPair) -> Law {
-        let (loading, mut rule) = self.with_flat(bodies);
-        if !std::ptr::eq(self, other) {
-            (_, rule) = other.with_flat(bodies);
+        let (shallow, rule) = self.for_bodies(bodies);
+        if std::ptr::eq(self, other) {
+            return Law::plm(shallow, rule);
         }
-        Law::plm(loading, rule)
+        let (_, of_other) = other.for_bodies(bodies);
+        // the approach follows from the force of shallow dents of the loading
+        let depth = of_other.depth.clone().map(|depth| depth.on(&shallow));
+        Law {
+            loading: DeferredCurve::new(Arc::clone(&shallow), &rule),
+            ..Law::plm(shallow, Arc::new(PlmUnloadingRule { depth, ..(*of_other).clone() }))
+        }
     }
 
     /// Checks that the coefficients and the flow curves make a law for these bodies.
@@ -111,36 +133,41 @@ impl Plm {
         Ok(())
     }
 
-    /// The law of bodies of other strengths, whose loading is that of `law` in its own units (see [`Law::has_universal_curve`]).
-    pub(crate) fn rescaled_law(&self, law: &Law, bodies: &YieldingPair) -> Law {
-        let rule = self.coefficients.unloading_rule(&bodies.pair, bodies.yield_radius_ratio(), self.exponent);
-        Law::plm(Arc::clone(&law.loading), rule)
+    /// The law of bodies of other strengths, whose loading in shallow dents is that of `law` in its own units (see
+    /// [`Law::universal_curve`]).
+    pub(crate) fn rescaled_law(&self, shallow: &Arc<LoadingCurve>, bodies: &YieldingPair) -> Law {
+        let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
+        let SharedLoading { plastic_factor, .. } = self.shallow_loading(pair);
+        let rule = self.coefficients.unloading_rule(pair, ratio, self.exponent, plastic_factor);
+        let depth = self.coefficients.depth(pair, ratio, shallow);
+        Law::plm(Arc::clone(shallow), Arc::new(PlmUnloadingRule { depth, ..rule }))
     }
 
-    /// The curve of a half-space that does not harden.
-    fn perfectly_plastic_curve(&self, pair: &Pair) -> Arc<LoadingCurve> {
+    /// The loading of shallow dents in a half-space that does not harden.
+    fn shallow_loading(&self, pair: &Pair) -> SharedLoading {
         let [kappa, _] = pair.law_shares();
-        let square = kappa * kappa;
-        let curve = || Arc::new(self.coefficients.force.curve(square));
-        let (table, square_of_first, first) =
-            self.cached_curve.0.get_or_init(|| (Arc::clone(&self.coefficients), square, curve()));
-        if *square_of_first == square && Arc::ptr_eq(table, &self.coefficients) { Arc::clone(first) } else { curve() }
+        let (square, ratio) = (kappa * kappa, PlmCoefficients::pressure_ratio(pair));
+        let source = LoadingSource(Arc::clone(&self.coefficients), square, ratio);
+        let loading = || self.coefficients.shared_loading(square, ratio);
+        let (first_source, first) = self.shared_loading.0.get_or_init(|| (source.clone(), loading()));
+        if *first_source == source { first.clone() } else { loading() }
     }
 
+    /// The loading of shallow dents without the flat of a sphere, and how the pair unloads from it.
     fn without_flat(&self, bodies: &YieldingPair) -> (Arc<LoadingCurve>, PlmUnloadingRule) {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
-        let (perfect, rule) =
-            (self.perfectly_plastic_curve(pair), self.coefficients.unloading_rule(pair, ratio, self.exponent));
+        let SharedLoading { curve: perfect, plastic_factor } = self.shallow_loading(pair);
+        let rule = self.coefficients.unloading_rule(pair, ratio, self.exponent, plastic_factor);
         let [sphere, half_space] = &self.flow;
         let flows = bodies.yield_point.yield_partition;
         let Some(flow) = flows.for_softer([sphere, half_space]) else { return (perfect, rule) };
         let slow = bodies.yield_point.strength / self.rate_factor;
         let rise = flow.normalise(slow, bodies.modulus());
-        let hardening = Hardening::new(rise, ratio, self.coefficients.approach_slopes(pair));
+        let hardening = Hardening::new(rise, ratio, self.coefficients.approach_slopes(pair, plastic_factor));
         (Arc::new(hardening.loading_curve(&perfect)), PlmUnloadingRule { hardening: Some(hardening), ..rule })
     }
 
-    /// The halves with the flats of balls that flow.
+    /// The loading of shallow dents with the flats of balls that flow, and how the pair unloads from it.
     fn with_flat(&self, bodies: &YieldingPair) -> (Arc<LoadingCurve>, PlmUnloadingRule) {
         let (plain, rule) = self.without_flat(bodies);
         let pair = &bodies.pair;
@@ -158,12 +185,20 @@ impl Plm {
         );
         (Arc::new(curve), PlmUnloadingRule { flattening: Some(flattening), ..rule })
     }
+
+    /// The loading of shallow dents, and how the pair loads and unloads at any depth.
+    fn for_bodies(&self, bodies: &YieldingPair) -> (Arc<LoadingCurve>, Arc<PlmUnloadingRule>) {
+        let (shallow, rule) = self.with_flat(bodies);
+        let depth = self.coefficients.depth(&bodies.pair, bodies.yield_radius_ratio(), &shallow);
+        (shallow, Arc::new(PlmUnloadingRule { depth, ..rule }))
+    }
 }
 
 impl ContactLaw for Plm {
     fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
-        let (curve, rule) = self.with_flat(bodies);
-        let (limits, of_radius) = (rule.validity(), rule.clone());
+        let (shallow, rule) = self.for_bodies(bodies);
+        let curve = rule.deep_curve().map_or(shallow, |deep| Arc::new(deep.clone()));
+        let (limits, of_radius) = (rule.validity(), Arc::clone(&rule));
         let radius = move |x, force| of_radius.contact_radius(&of_radius.state(x, force));
         let loading = Loading { curve, limits, contact_radius: Arc::new(radius) };
         LawParts {
@@ -183,25 +218,28 @@ mod tests {
     use super::*;
     use crate::contact::body::{HalfSpace, Material, Sphere};
 
-    /// The curve that pairs share is that of their coefficients and of their κ², whichever pair came first.
+    /// The curve that pairs share is that of their coefficients, their κ² and their Poisson's ratio, whichever pair came first.
     #[test]
     fn a_shared_curve_is_that_of_the_pair() {
-        let loading_of = |plm: &Plm, modulus: f64, strength: f64| {
+        let loading_of = |plm: &Plm, modulus: f64, strength: f64, poissons_ratio: f64| {
             let sphere = Sphere::elastic(5e-3, Material { youngs_modulus: modulus, poissons_ratio: 0.3 }, 7850.0);
-            let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-            let half_space = HalfSpace::flat(steel, Some(strength));
-            plm.law_for_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().loading
+            let youngs_modulus = 210e9 / 0.91 * (1.0 - poissons_ratio * poissons_ratio);
+            let half_space = HalfSpace::flat(Material { youngs_modulus, poissons_ratio }, Some(strength));
+            Arc::clone(plm.law_for_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().loading.shallow())
         };
         let plm = Plm::default();
-        let first = loading_of(&plm, 210e9, 3e8);
-        assert!(Arc::ptr_eq(&first, &loading_of(&plm, 210e9, 5e8)));
-        assert_eq!(loading_of(&plm, 600e9, 3e8), loading_of(&Plm::default(), 600e9, 3e8));
-        assert_ne!(loading_of(&plm, 600e9, 3e8), first);
+        let first = loading_of(&plm, 210e9, 3e8, 0.3);
+        assert!(Arc::ptr_eq(&first, &loading_of(&plm, 210e9, 5e8, 0.3)));
+        for (modulus, poissons_ratio) in [(600e9, 0.3), (210e9, 0.1)] {
+            let other = loading_of(&plm, modulus, 3e8, poissons_ratio);
+            assert_eq!(other, loading_of(&Plm::default(), modulus, 3e8, poissons_ratio));
+            assert_ne!(other, first);
+        }
         let mut coefficients = PlmCoefficients::built_in().clone();
         coefficients.force.slope[0] *= 1.1;
         let other = Plm::new(&coefficients, plm.exponent);
         let changed = Plm { coefficients: Arc::clone(&other.coefficients), ..plm };
-        assert_eq!(loading_of(&changed, 210e9, 3e8), loading_of(&other, 210e9, 3e8));
-        assert_ne!(loading_of(&changed, 210e9, 3e8), first);
+        assert_eq!(loading_of(&changed, 210e9, 3e8, 0.3), loading_of(&other, 210e9, 3e8, 0.3));
+        assert_ne!(loading_of(&changed, 210e9, 3e8, 0.3), first);
     }
 }

@@ -2,10 +2,13 @@
 
 use super::approach::ApproachPolyline;
 use super::contact_radius::RadiusTable;
+use super::depth::Depth;
 use super::flattening::Flattening;
 use super::hardening::Hardening;
 use crate::contact::law::published::{LoadedState, Recovery, Validity};
+use crate::contact::law::unloading::LoadedPoint;
 use crate::contact::law::unloading::{ContactState, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+use crate::numerics::curve::LoadingCurve;
 
 /// How the PLM unloads beyond first yield.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +19,8 @@ pub struct PlmUnloadingRule {
     pub hardening: Option<Hardening>,
     /// How a sphere that flows changes it.
     pub flattening: Option<Flattening>,
+    /// How a deep dent changes it.
+    pub depth: Option<Depth>,
     /// The contact radius, in units of a_Y.
     pub radius: RadiusTable,
     pub exponent: UnloadingExponent,
@@ -24,7 +29,11 @@ pub struct PlmUnloadingRule {
 impl PlmUnloadingRule {
     /// Where loading holds.
     pub(crate) fn validity(&self) -> Validity {
-        let widest = if self.hardening.is_some() { 0.32 } else { 0.45 };
+        let widest = match (&self.depth, &self.hardening) {
+            (Some(_), _) => 0.55,
+            (None, Some(_)) => 0.32,
+            (None, None) => 0.45,
+        };
         Validity::new(1.0, self.flattening.as_ref().map_or(widest, |flattening| flattening.max_radius_ratio))
     }
 
@@ -37,6 +46,62 @@ impl PlmUnloadingRule {
     /// ε at a point (x, f) of the loading curve.
     #[inline(always)]
     pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
+        match self.depth_at(x) {
+            None => self.shallow_approach(x, force),
+            Some(depth) => self.deep_approach_and_radius(depth, x, depth.base().force(x))[0],
+        }
+    }
+
+    /// ε at a point (x, f) of the loading curve of another law, which has no correction for deep dents.
+    fn approach_of_other_loading(&self, x: f64, force: f64) -> f64 {
+        match self.depth_at(x) {
+            None => self.shallow_approach(x, force),
+            Some(depth) => self.deep_approach_and_radius(depth, x, force)[0],
+        }
+    }
+
+    /// ε and A at x of a deep dent with the force F_b.
+    #[inline(never)]
+    fn deep_approach_and_radius(&self, depth: &Depth, x: f64, force: f64) -> [f64; 2] {
+        let approach = self.shallow_approach(x, force);
+        let is_own = self.flattening.is_none() && x <= depth.constant_from();
+        let radii =
+            if is_own { self.in_strength(x, force / approach) } else { self.hertz_equivalent_radii_at(depth, x) };
+        let y =
+            depth.depth_at(
+                x,
+                |deepest| {
+                    if deepest == x { radii[1] } else { self.hertz_equivalent_radii_at(depth, deepest)[1] }
+                },
+            );
+        [(approach * depth.recovery_factor(y)).min(x), radii[0]]
+    }
+
+    /// The correction for deep dents, if it changes force and elastic approach at x.
+    #[inline(always)]
+    pub(super) fn depth_at(&self, x: f64) -> Option<&Depth> {
+        self.depth.as_ref().filter(|depth| depth.applies_at(x))
+    }
+
+    /// True if a sphere with this kinetic energy and weight turns before the correction for deep dents applies.
+    #[inline(always)]
+    pub(super) fn turns_before_depth(&self, kinetic: f64, weight: f64) -> bool {
+        self.depth.as_ref().is_none_or(|depth| depth.is_beyond(kinetic, weight))
+    }
+
+    /// The force at x of a deep dent, without the rest of the loading curve. `None` if this takes the whole curve.
+    pub(super) fn deep_force(&self, depth: &Depth, x: f64) -> Option<f64> {
+        depth.force_at(x, |x| self.hertz_equivalent_radii_at(depth, x)[1])
+    }
+
+    /// The loading curve of a contact with a correction for deep dents.
+    pub(super) fn deep_curve(&self) -> Option<&LoadingCurve> {
+        self.depth.as_ref().map(|depth| depth.curve(|x| self.hertz_equivalent_radii_at(depth, x)[1]))
+    }
+
+    /// ε at a point (x, f) of the loading curve of shallow dents.
+    #[inline(always)]
+    pub(in crate::contact::law) fn shallow_approach(&self, x: f64, force: f64) -> f64 {
         match (&self.flattening, &self.hardening) {
             _ if x <= 1.0 => x,
             (None, _) => self.approach_without_flat(x, force),
@@ -57,15 +122,32 @@ impl PlmUnloadingRule {
         }
     }
 
-    /// A = f/ε at a peak, without the flat of a sphere.
+    /// A = f/ε at a peak, without the flat of a sphere and the correction for deep dents.
     #[inline(always)]
     fn hertz_equivalent_radius(&self, peak: &ContactState) -> f64 {
-        match &self.flattening {
-            Some(flattening) if peak.indentation > 1.0 => {
+        match (&self.flattening, self.depth_at(peak.indentation)) {
+            (Some(flattening), _) if peak.indentation > 1.0 => {
                 let force = flattening.unflattened_curve.force(peak.indentation);
                 force / self.approach_without_flat(peak.indentation, force)
             }
+            (_, Some(depth)) => self.hertz_equivalent_radii_at(depth, peak.indentation)[0],
             _ => peak.force / peak.elastic_approach,
+        }
+    }
+
+    /// A at x, and A in units of the strength that the yielding body has reached, without the flat of a sphere and this correction
+    /// for deep dents.
+    fn hertz_equivalent_radii_at(&self, depth: &Depth, x: f64) -> [f64; 2] {
+        let curve = self.flattening.as_ref().map_or(depth.base(), |flattening| &flattening.unflattened_curve);
+        let force = curve.force(x);
+        self.in_strength(x, if x <= 1.0 { force / x } else { force / self.approach_without_flat(x, force) })
+    }
+
+    /// A, and A in units of the strength that the yielding body has reached at x.
+    fn in_strength(&self, x: f64, equivalent: f64) -> [f64; 2] {
+        match &self.hardening {
+            None => [equivalent; 2],
+            Some(hardening) => [equivalent, hardening.pressure_shape(x, equivalent).equivalent],
         }
     }
 
@@ -82,6 +164,25 @@ impl PlmUnloadingRule {
         }
     }
 
+    /// The state at a point of the loading curve, and the exponent that is requested there.
+    #[inline(always)]
+    pub(crate) fn peak_and_exponent(&self, at: &LoadedPoint) -> (ContactState, f64) {
+        let &LoadedPoint { indentation, force, .. } = at;
+        let peak = |elastic_approach| ContactState { indentation, force, elastic_approach };
+        match (at.elastic_approach, self.depth_at(indentation)) {
+            (None, Some(depth)) => {
+                let base = depth.base().force(indentation);
+                let [approach, equivalent] = self.deep_approach_and_radius(depth, indentation, base);
+                let peak = peak(approach);
+                (peak, self.exponent_at(&peak, || equivalent))
+            }
+            (known, _) => {
+                let peak = peak(known.unwrap_or_else(|| self.shallow_approach(indentation, force)));
+                (peak, self.requested_exponent(&peak))
+            }
+        }
+    }
+
     /// The requested exponent; the exponent of Hertz without a dent.
     #[inline(always)]
     pub(crate) fn requested_exponent(&self, peak: &ContactState) -> f64 {
@@ -91,7 +192,11 @@ impl PlmUnloadingRule {
     /// The elastic approach and the exponent at a peak on the loading curve of another law. Its force need not be that of this
     /// rule, so A is this force over the elastic approach that belongs to it.
     pub(super) fn recovery(&self, at: &LoadedState) -> Recovery {
-        let of_plm = self.state(at.indentation, at.force);
+        let of_plm = ContactState {
+            indentation: at.indentation,
+            force: at.force,
+            elastic_approach: self.approach_of_other_loading(at.indentation, at.force),
+        };
         let elastic_approach = at.elastic_approach.unwrap_or(of_plm.elastic_approach);
         let equivalent = || match at.elastic_approach {
             None if at.indentation > 1.0 => at.force / self.approach_without_flat(at.indentation, at.force),
@@ -133,13 +238,17 @@ impl PlmUnloadingRule {
     }
 
     /// a/a_Y at x, where A is this.
-    pub(super) fn contact_radius_at(&self, x: f64, equivalent: f64) -> f64 {
+    pub(in crate::contact::law) fn contact_radius_at(&self, x: f64, equivalent: f64) -> f64 {
         match &self.hardening {
             None => self.radius.true_radius(equivalent),
             Some(hardening) => {
                 let shape = hardening.pressure_shape(x, equivalent);
                 let geometry = self.radius.geometry_factor_at(equivalent);
-                equivalent / (self.radius.pressure_shape_at(shape.equivalent) * geometry * shape.pile_up_factor())
+                let radius =
+                    equivalent / (self.radius.pressure_shape_at(shape.equivalent) * geometry * shape.pile_up_factor());
+                self.depth.as_ref().map_or(radius, |depth| {
+                    radius / depth.radius_factor(equivalent, || shape.local_hardening_exponent())
+                })
             }
         }
     }

@@ -9,7 +9,6 @@ use crate::contact::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::impact::Contact;
 use crate::results::restitution_interval::{IntervalPart, PartKind};
 use crate::scenario::input::{Body, Input};
-use crate::scenario::keys::body_key;
 use crate::strings::names::named_enum;
 
 named_enum! {
@@ -23,6 +22,8 @@ named_enum! {
         Hardening = "hardening",
         /// The sphere yields, alone or with the half-space.
         YieldingSphere = "yielding_sphere",
+        /// The half-space has another Poisson's ratio than 0.3: the errors of e over e at 0.3.
+        OtherPoissonsRatio = "other_poissons_ratio",
         /// All load cycles, for bodies of no other class.
         All = "all",
     }
@@ -32,20 +33,8 @@ named_enum! {
 pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
     [(UnloadingExponent::PressureShape, "pressure_shape"), (UnloadingExponent::Paper, "paper")];
 
-/// The range of Poisson's ratios of the yielding body that the load cycles represent; their own ratio is 0.3.
+/// The range of Poisson's ratios of the yielding body that the other load cycles represent; their own ratio is 0.3.
 const POISSONS_RATIOS: [f64; 2] = [0.25, 0.35];
-
-/// How far e of finite elements is above e of the law at other Poisson's ratios: the ratio, and r = (p_FE/p)^(5/8), as e goes with the
-/// mean pressure to the power of 5/8 (Johnson 1985, ch. 11.5).
-///
-/// Load cycles by CalculiX 2.20 of a rigid sphere and of two equal spheres with σ_Y/E* = 0.003, to 664 times the yield indentation. The
-/// law has the pressure C_ν σ_Y at all depths, but the pressure of a fully plastic dent hardly depends on ν: at equal indentation it is
-/// 0.966, 0.968 and 1.018 times the pressure at ν = 0.3. The r are the farthest from 1 of all load cycles. In e at equal work the law was
-/// 8.7 % low at 0.03, 5.7 % low at 0.10 and 2.7 % high at 0.42, and right up to 30 times the yield indentation.
-const PRESSURE_RATIOS: [(f64, f64); 4] = [(0.03, 1.105), (0.10, 1.073), (0.30, 1.0), (0.42, 0.956)];
-
-/// A strength by a hardness has the pressure of the hardness test at every Poisson's ratio: then e is within this share.
-const BY_HARDNESS: f64 = 0.03;
 
 /// The errors of e over the load cycles of one class of bodies. An error is e of the law over e of the finite elements, minus 1.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -106,20 +95,9 @@ pub fn law_error(law: &LawChoice, contact: &Contact, radius_ratio: f64) -> Optio
     find(class).or_else(|| find(BodyClass::All))
 }
 
-/// r of a Poisson's ratio: straight between the ratios of the load cycles, and on beyond the first and the last of them.
-fn pressure_ratio(poissons_ratio: f64) -> f64 {
-    let [first, second, third, last] = PRESSURE_RATIOS;
-    let [from, to] = match poissons_ratio {
-        ratio if ratio < second.0 => [first, second],
-        ratio if ratio < third.0 => [second, third],
-        _ => [third, last],
-    };
-    from.1 + (to.1 - from.1) * (poissons_ratio - from.0) / (to.0 - from.0)
-}
-
 /// The part of the interval of e for the Poisson's ratio of the body that yields: none where it is like that of the load cycles. `None`
 /// for a negative one, of which there are no finite elements, and for bodies that stay elastic.
-pub(super) fn poissons_ratio_part(input: &Input, contact: &Contact) -> Option<Vec<IntervalPart>> {
+pub(super) fn poissons_ratio_part(input: &Input, contact: &Contact, law: &LawChoice) -> Option<Vec<IntervalPart>> {
     let body = contact.pair().yield_point?.yield_partition.for_softer(Body::ALL);
     let poissons_ratio = input.material(body).poissons_ratio;
     let [least, most] = POISSONS_RATIOS;
@@ -129,15 +107,12 @@ pub(super) fn poissons_ratio_part(input: &Input, contact: &Contact) -> Option<Ve
     if (least..=most).contains(&poissons_ratio) {
         return Some(Vec::new());
     }
-    let share = pressure_ratio(poissons_ratio) - 1.0;
-    let (kind, low, high) = if input.number(body_key!(body, "hardness")).is_some() {
-        let width = share.abs().min(BY_HARDNESS);
-        (PartKind::Width, -width, width)
-    } else {
-        // at small depths the law is right
-        (PartKind::Shift, share.min(0.0), share.max(0.0))
-    };
-    Some(vec![IntervalPart { name: "Poisson's ratio".to_owned(), kind, low, high }])
+    let exponent = exponent_name(law)?;
+    let is_here = |row: &&LawErrorRow| row.class == BodyClass::OtherPoissonsRatio && row.exponent == exponent;
+    let row = law_error_table().iter().find(is_here)?;
+    let width = row.low.abs().max(row.high.abs());
+    let part = IntervalPart { name: "Poisson's ratio".to_owned(), kind: PartKind::Width, low: -width, high: width };
+    Some(vec![part])
 }
 
 /// The mean error of e with the exponent of the paper on a half-space that does not harden, and its quantiles: the bias of the

@@ -44,7 +44,7 @@ impl Uncertainty {
             return None;
         }
         let mut of_bodies = strength_parts(input, contact, law)?;
-        of_bodies.extend(poissons_ratio_part(input, contact)?);
+        of_bodies.extend(poissons_ratio_part(input, contact, law)?);
         let mut hardness = Vec::new();
         for range in ranges.ranges() {
             let at = |strengths: [Option<f64>; 2]| {

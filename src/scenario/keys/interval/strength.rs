@@ -12,7 +12,7 @@ use crate::scenario::keys::{body_key, key};
 use crate::units::{Dimension, format_input};
 
 /// e of a cold-worked or quenched metal from its hardness is too low by at most this fraction.
-const HARDENED_TOO_LOW_BY: f64 = 0.045;
+const HARDENED_TOO_LOW_BY: f64 = 0.041;
 /// e from the 0.2 % proof stress of a metal that hardens is too low by at most this fraction.
 const PROOF_TOO_LOW_BY: f64 = 0.37;
 

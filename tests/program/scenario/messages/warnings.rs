@@ -26,7 +26,7 @@ fn scenarios_with_warnings() -> Vec<(&'static str, String)> {
         (idle, format!("{elastic}{law}")),
         ("impact.speed = 60 m/s", format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 60]\n")),
         (idle, format!("{elastic}{law}[sweep]\n\"impact.speed\" = [1, 2]\n")),
-        ("exceeds 0.45", format!("{STEEL}[monte_carlo]\nsamples = 3\n\"impact.speed\" = {{ uniform = [50, 70] }}\n")),
+        ("exceeds 0.55", format!("{STEEL}[monte_carlo]\nsamples = 3\n\"impact.speed\" = {{ uniform = [50, 70] }}\n")),
         ("impact 1: Force, dent and e", format!("{fast}[repeat]\nimpacts = 2\nspot = \"fresh\"\n")),
         (idle, format!("{elastic}{law}[repeat]\nimpacts = 2\nspot = \"same\"\n")),
         (idle, format!("{slow}{law}[indentation]\nsteps = [{{ load = 100 }}]\n")),
