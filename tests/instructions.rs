@@ -23,7 +23,10 @@ use plm_impact::{Contact, Plm, Solver};
 /// The largest relative difference: another compiler inlines other functions.
 const TOLERANCE: f64 = 0.05;
 
-const WORK: [(&str, fn(u32)); 4] = [("row", rows), ("contact", contacts), ("rk8", impacts_by_rk8), ("c_force", forces)];
+/// A name, and a function that repeats the work.
+type Work = (&'static str, fn(u32));
+
+const WORK: [Work; 4] = [("row", rows), ("contact", contacts), ("rk8", impacts_by_rk8), ("c_force", forces)];
 
 /// The work of one process: a name of [`WORK`] and how often.
 const VARIABLE: &str = "PLM_IMPACT_TEST_WORK";

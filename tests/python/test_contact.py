@@ -1,5 +1,7 @@
 """A contact, its impacts and its force."""
 
+from __future__ import annotations
+
 import base64
 import copy
 import pickle
