@@ -182,9 +182,10 @@ fn impacts_see_the_curve_that_they_reach() {
         let speed = yields * 1.25_f64.powi(i);
         let Ok(impact) = contact.closed_form(speed) else { continue };
         let whole = closed_form::solve(law, speed / yields);
-        assert!(relative_error(impact.restitution, whole.restitution) < 1e-14, "{speed}");
+        assert!(relative_error(impact.row.restitution, whole.restitution) < 1e-14, "{speed}");
         assert!(
-            relative_error(impact.contact_time, whole.contact_time * contact.scaling(speed).unwrap().0.time()) < 1e-14
+            relative_error(impact.row.contact_time, whole.contact_time * contact.scaling(speed).unwrap().0.time())
+                < 1e-14
         );
         if whole.unloading.peak.indentation < from { shallow += 1 } else { deep += 1 }
     }

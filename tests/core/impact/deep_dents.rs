@@ -29,7 +29,7 @@ fn deep_dent_warns_only_without_hardening() {
     ] {
         let impact = shot(speed, set);
         let found = [WarningKind::DeepSoftDent, WarningKind::DeepDent].map(|kind| size_of(&impact, kind).is_some());
-        assert_eq!(found, [is_soft, is_deep], "{speed} {set:?}: a/R = {}", impact.radius_ratio);
+        assert_eq!(found, [is_soft, is_deep], "{speed} {set:?}: a/R = {}", impact.row.radius_ratio);
     }
 }
 
@@ -37,7 +37,7 @@ fn deep_dent_warns_only_without_hardening() {
 #[test]
 fn inertia_of_target_warns_with_its_size() {
     let impact = shot("80 m/s", &[]);
-    let share = impact.radius_ratio.powi(3) / std::f64::consts::PI;
+    let share = impact.row.radius_ratio.powi(3) / std::f64::consts::PI;
     assert!(relative_error(size_of(&impact, WarningKind::TargetInertia).unwrap(), share) < 1e-14);
     assert!(share > 0.03 && share < 0.06, "{share}");
     for set in [&["half_space.density=none"], &["half_space.density=2700"]] {
