@@ -323,6 +323,10 @@ fn result_axis(name: &str) -> (String, chart::Axis) {
     if name == RESTITUTION {
         return ("Restitution".to_owned(), chart::Axis::linear("Restitution e", ""));
     }
+    if let Some(angle) = name.strip_suffix("_deg") {
+        let title = path_title(angle);
+        return (title.clone(), chart::Axis::linear(&title, "°"));
+    }
     let dimension = dimension_of(name);
     let title = path_title(name.trim_end_matches(dimension.suffix()));
     let axis = chart::Axis::linear(&title, dimension.si_unit());
