@@ -121,7 +121,7 @@ impl<'a> Surface<'a> {
         Self::new(law, Some(dent))
     }
 
-    /// Fresh surface whose path goes on as in shallow dents.
+    /// Fresh surface whose path has no correction for deep dents.
     pub(crate) fn of_shallow_dents(law: &'a Law) -> Self {
         Self { reloading_path: law.loading.shallow(), ..Self::hit_with(law, None, 0.0, 0.0) }
     }

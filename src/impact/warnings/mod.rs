@@ -129,8 +129,9 @@ fn inertia_warning(contact: &Contact, impact: &Impact) -> Option<Warning> {
     let share = density / contact.sphere().density * ratio * ratio * ratio / PI;
     Warning::new_if(share > MAX_INERTIA_SHARE, WarningKind::TargetInertia, share, || {
         format!(
-            "peak_force is about {} too high, because the inertia of the half-space is not modelled. The contact radius is {ratio:.2} times the radius of the sphere.",
-            format_percent(share)
+            "peak_force is about {} too high, because the inertia of the half-space is not modelled. The contact radius is {ratio:.2} times the radius of the sphere. Divide peak_force by {:.3}.",
+            format_percent(share),
+            1.0 + share
         )
     })
 }

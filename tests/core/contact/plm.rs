@@ -5,6 +5,8 @@
 
 use std::f64::consts::PI;
 
+use plm_impact::impact::solve::closed_form;
+
 use crate::common::prelude::*;
 
 /// Restitution of a quasi-static cycle to x: square root of recovered over spent work.
@@ -165,6 +167,29 @@ fn zero_corrections_change_no_bit() {
             assert!(speed < 50.0 || impact.row.restitution != built_in.closed_form(speed).unwrap().row.restitution);
         }
     }
+}
+
+/// An impact that turns before a deep dent sees the same curve, whether its part beyond was computed or not; one that goes on sees
+/// the whole curve.
+#[test]
+fn impacts_see_the_curve_that_they_reach() {
+    let contact = Scene::steel().contact();
+    let (_, law, _) = contact.scaling(1.0).unwrap();
+    let yields = contact.yield_speed().unwrap();
+    let from = 0.035 / (contact.pair().yield_point.unwrap().contact_radius / contact.pair().radius).powi(2);
+    let (mut shallow, mut deep) = (0, 0);
+    for i in 0..60 {
+        let speed = yields * 1.25_f64.powi(i);
+        let Ok(impact) = contact.closed_form(speed) else { continue };
+        let whole = closed_form::solve(law, speed / yields);
+        assert!(relative_error(impact.row.restitution, whole.restitution) < 1e-14, "{speed}");
+        assert!(
+            relative_error(impact.row.contact_time, whole.contact_time * contact.scaling(speed).unwrap().0.time())
+                < 1e-14
+        );
+        if whole.unloading.peak.indentation < from { shallow += 1 } else { deep += 1 }
+    }
+    assert!(shallow > 20 && deep > 5, "{shallow} {deep}");
 }
 
 #[test]

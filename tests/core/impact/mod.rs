@@ -1,5 +1,6 @@
 //! Tests of impacts, series and indentation.
 
+pub mod deep_dents;
 pub mod flight;
 pub mod forces;
 pub mod hardening_scenarios;

@@ -51,7 +51,7 @@ fn hardness_replaces_yield_strength() {
         ("\"300 HV\"", 1_153_797_625.732_568_5),
         ("\"285 HB\"", 1_153_797_625.732_568_5),
         ("\"29.8 HRC\"", 1_153_797_625.732_568_5),
-        ("\"60.1 HRC\"", 3_013_390_789.322_440_9),
+        ("\"60.1 HRC\"", 3_013_390_789.322_441),
     ] {
         let strength = input_of(&with_hardness(hardness)).half_space().yield_strength.unwrap();
         assert!(relative_error(strength, wanted) < 1e-11, "{hardness}: {strength}");

@@ -72,8 +72,9 @@ impl IndependentLaw {
         let mut points = vec![[from, self.shallow_force(from)]];
         let mut add = |x: f64| points.push([x, self.shallow_force(x) / (1.0 + self.of_depth("force") * self.depth(x))]);
         for pair in ends.windows(2) {
-            let count = ((pair[1] / pair[0]).ln() / 1.1_f64.ln()).ceil();
-            (1..=count as u32).for_each(|i| add(pair[0] * (pair[1] / pair[0]).powf(f64::from(i) / count)));
+            let ratio = pair[1] / pair[0];
+            let count = (1..100).find(|count| ratio.powf(1.0 / f64::from(*count)) <= 1.1).unwrap();
+            (1..=count).for_each(|i| add(pair[0] * ratio.powf(f64::from(i) / f64::from(count))));
         }
         knots.filter(|x| *x > to).for_each(add);
         points

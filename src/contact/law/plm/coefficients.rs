@@ -55,7 +55,7 @@ impl ForceTable {
     }
 }
 
-/// What pairs of the same κ² and the same Poisson's ratio share, in units of first yield.
+/// The loading that pairs of equal κ² and equal Poisson's ratio share, in units of first yield.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedLoading {
     /// The force of shallow dents.

@@ -57,10 +57,13 @@ impl DeferredCurve {
 
     /// f at x.
     pub fn force(&self, x: f64) -> f64 {
-        match self.deep.as_ref().and_then(|rule| Some((rule, rule.depth_at(x)?))) {
-            None => self.shallow.force(x),
-            Some((rule, depth)) => rule.deep_force(depth, x).unwrap_or_else(|| (**self).force(x)),
-        }
+        if self.is_shallow(x) { self.shallow.force(x) } else { (**self).force(x) }
+    }
+
+    /// f at x, without the rest of the curve. The last digit may differ from the last digit of [`DeferredCurve::force`].
+    pub(super) fn force_at_one_point(&self, x: f64) -> f64 {
+        let deep = self.deep.as_ref().and_then(|rule| rule.deep_force(rule.depth_at(x)?, x));
+        deep.unwrap_or_else(|| self.force(x))
     }
 
     /// Work from first touch to x.

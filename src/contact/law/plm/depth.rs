@@ -120,7 +120,7 @@ impl Depth {
     /// True if a sphere with this kinetic energy and weight turns well before the correction applies. The margin is for methods with
     /// fixed steps, whose energy has an error.
     #[inline(always)]
-    pub(super) fn is_beyond(&self, kinetic: f64, weight: f64) -> bool {
+    pub(super) fn is_out_of_reach(&self, kinetic: f64, weight: f64) -> bool {
         const MARGIN: f64 = 0.9;
         kinetic + weight * self.range[0] < MARGIN * self.work
     }
@@ -153,11 +153,8 @@ impl Depth {
         1.0 + self.table.radius * self.share * (exponent() / FULL_HARDENING).min(1.0) * beyond
     }
 
-    /// F at x from the two points around x, if they are not known from the curve and y still rises there.
+    /// F at x from the two points around x; `None` from where y is constant.
     pub(super) fn force_at(&self, x: f64, mut equivalent: impl FnMut(f64) -> f64) -> Option<f64> {
-        if let Some(curve) = self.curve.0.get() {
-            return Some(curve.force(x));
-        }
         let [from, to] = self.range;
         let pieces = self.base.pieces();
         let index = self.base.index_at(x);

@@ -65,7 +65,7 @@ pub fn hardness_of_flow_stress(flow_stress: f64, material: &Material) -> f64 {
     // an elastic contact is as wide at δ = a²/R, a plastic one at no less than a fifth of that
     let elastic = (INDENT_RADIUS_RATIO / ratio) * (INDENT_RADIUS_RATIO / ratio);
     let x = illinois((0.1 * elastic, 2.0 * elastic), |x| INDENT_RADIUS_RATIO - width(x));
-    point.force * law.loading.force(x) / (std::f64::consts::PI * INDENT_RADIUS_RATIO * INDENT_RADIUS_RATIO)
+    point.force * law.loading.force_at_one_point(x) / (std::f64::consts::PI * INDENT_RADIUS_RATIO * INDENT_RADIUS_RATIO)
 }
 
 #[cfg(test)]
@@ -96,6 +96,23 @@ mod tests {
             let constraint = hardness_of_flow_stress(strength, &STEEL) / strength;
             assert!(constraint > 0.1 && constraint < last * 1.001, "{strength} {constraint} {last}");
             last = constraint;
+        }
+    }
+
+    /// The force at one point of a deep dent is the force of the whole curve: between two points, at one, and beyond the range.
+    #[test]
+    fn force_at_one_point_is_that_of_the_curve() {
+        for (strength, poissons_ratio) in [(2e8, 0.3), (9e8, 0.1), (1.9e10, 0.3)] {
+            let body = HalfSpace::flat(Material { poissons_ratio, ..STEEL }, Some(strength));
+            let pair = Pair::try_new(&Sphere::elastic(1.0, DIAMOND, 1.0), &body).unwrap();
+            let ratio = pair.yield_point.unwrap().contact_radius;
+            let law = PlmCoefficients::built_in().law(&pair, ratio, UnloadingExponent::Paper);
+            let starts = law.loading.pieces().iter().map(|piece| piece.start);
+            let between = (0..200).map(|i| 0.3 * f64::from(i) / 200.0 / (ratio * ratio));
+            for x in starts.chain(between) {
+                let force = law.loading.force(x);
+                assert_relative_eq!(law.loading.force_at_one_point(x), force, max_relative = 1e-13);
+            }
         }
     }
 

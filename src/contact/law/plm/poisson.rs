@@ -22,7 +22,7 @@ const FITTED: f64 = 0.3;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PoissonTable {
-    /// Of the exponent of the slopes of the force.
+    /// The factor in the exponent for the slopes of the force.
     pub force: f64,
     /// The exponent of the plastic slope of the elastic approach.
     pub approach: f64,

@@ -86,10 +86,10 @@ impl PlmUnloadingRule {
     /// True if a sphere with this kinetic energy and weight turns before the correction for deep dents applies.
     #[inline(always)]
     pub(super) fn turns_before_depth(&self, kinetic: f64, weight: f64) -> bool {
-        self.depth.as_ref().is_none_or(|depth| depth.is_beyond(kinetic, weight))
+        self.depth.as_ref().is_none_or(|depth| depth.is_out_of_reach(kinetic, weight))
     }
 
-    /// The force at x of a deep dent, without the rest of the loading curve. `None` if this takes the whole curve.
+    /// The force at x of a deep dent, without the rest of the loading curve; `None` from where y is constant.
     pub(super) fn deep_force(&self, depth: &Depth, x: f64) -> Option<f64> {
         depth.force_at(x, |x| self.hertz_equivalent_radii_at(depth, x)[1])
     }
