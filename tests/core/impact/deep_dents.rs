@@ -19,10 +19,12 @@ fn size_of(impact: &Impact, kind: WarningKind) -> Option<f64> {
 #[test]
 fn deep_dent_warns_only_without_hardening() {
     let hardens = "half_space.flow_stress.power.exponent=0.1";
+    let relaxes = "half_space.rate.johnson_cook.c=0.014";
     // a/R = 0.36, 0.49 and 0.63
     for (speed, set, is_soft, is_deep) in [
         ("40 m/s", &[][..], false, false),
         ("70 m/s", &[], true, false),
+        ("70 m/s", &[relaxes], true, false),
         ("70 m/s", &[hardens], false, false),
         ("120 m/s", &[], false, true),
         ("70 m/s", &["sphere.youngs_modulus=40 GPa"], false, false),
