@@ -85,13 +85,13 @@
 //! let thornton = LawChoice::from_name("thornton").ok_or("no such law")?;
 //! let contact = Contact::try_new(sphere, half_space, thornton.as_contact_law())?;
 //! let (slow, fast) = (contact.closed_form(0.1)?, contact.closed_form(10.0)?);
-//! assert!(slow.restitution > fast.restitution);
+//! assert!(slow.row.restitution > fast.row.restitution);
 //!
 //! // closest to finite elements; the half-space hardens with N = 0.1
 //! let flow = [None, Some(FlowCurve::Power { exponent: 0.1 })];
 //! let law = Plm { exponent: UnloadingExponent::PressureShape, flow, ..Plm::default() };
 //! let hardening = Contact::try_new(sphere, half_space, &law)?.closed_form(3.0)?;
-//! assert!(hardening.restitution > 0.55);
+//! assert!(hardening.row.restitution > 0.55);
 //!
 //! // a mean pressure of 3 GPa in a hardness test
 //! let strength = strength_of_hardness(3e9, None, &steel);
@@ -122,26 +122,25 @@
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! # let half_space = HalfSpace::flat(steel, Some(345e6));
 //! use plm_impact::Approach;
-//! use plm_impact::impact::{Damping, Forces, Incidence, Plate, PlateTheory};
+//! use plm_impact::impact::{Damping, Forces, Plate, PlateTheory};
 //!
 //! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //! let forces = Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.1)), ..Forces::default() };
 //! let damped = contact.clone().with_forces(forces).impact(3.0, &Solver::default(), None)?;
-//! assert!(damped.restitution < contact.closed_form(3.0)?.restitution);
+//! assert!(damped.row.restitution < contact.closed_form(3.0)?.row.restitution);
 //!
 //! // a plate of 5 mm absorbs energy; its target needs a density
 //! let target = HalfSpace { density: Some(7850.0), ..half_space };
 //! let plate = Plate { thickness: 5e-3, edge_distance: None, theory: PlateTheory::Zener };
 //! let forces = Forces { plate: Some(plate), ..Forces::default() };
 //! let on_plate = Contact::try_new(sphere, target, &Plm::default())?.with_forces(forces).row(3.0, &Solver::AUTO)?;
-//! assert!(on_plate.restitution < contact.closed_form(3.0)?.restitution);
+//! assert!(on_plate.restitution < contact.closed_form(3.0)?.row.restitution);
 //!
 //! // gross sliding at 60° from the normal: the tangential impulse is μ (1 + e) m v_n
-//! let incidence = Incidence { angle: 60_f64.to_radians(), spin: 0.0, friction: 0.1 };
-//! let oblique = contact.impact(Approach { speed: 3.0, incidence: Some(incidence) }, &Solver::default(), None)?;
-//! let normal = contact.closed_form(1.5)?;
-//! let rebound = oblique.rebound.ok_or("no rebound")?;
-//! let tangential = 3.0 * incidence.angle.sin() - 0.1 * (1.0 + normal.restitution) * 1.5;
+//! let approach = Approach { normal: 1.5, along: 1.5 * 3_f64.sqrt(), spin: 0.0, friction: Some(0.1) };
+//! let oblique = contact.impact(approach, &Solver::default(), None)?;
+//! let rebound = oblique.row.rebound.ok_or("no rebound")?;
+//! let tangential = approach.along - 0.1 * (1.0 + contact.closed_form(1.5)?.row.restitution) * 1.5;
 //! assert!((rebound.tangential_speed / tangential - 1.0).abs() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -163,7 +162,7 @@
 //! let series = ImpactSeries { spot_mode: SpotMode::Same, mode: SeriesMode::Shots(vec![1.0, 0.5, 2.0]) };
 //! let shots = series.run(&contact, &Solver::AUTO, 10, None)?;
 //! // the second shot has less energy than the first recovered, and stays on the old unloading curve
-//! assert!(shots.impacts[1].restitution > 0.999 && shots.impacts[2].restitution < 0.9);
+//! assert!(shots.impacts[1].impact.row.restitution > 0.999 && shots.impacts[2].impact.row.restitution < 0.9);
 //!
 //! let press = StaticContact::try_new(&sphere, &half_space, &Plm::default())?;
 //! let pressed = press.indent(&[SetPoint::Load(100.0), SetPoint::Load(0.0)], None)?;

@@ -238,7 +238,7 @@ const OTHER_KEYS: [KeySpec; 45] = key_specs! {
     /// Fraction of critical damping, with the tangent stiffness of the contact; instead of hunt_crossley.
     "damping.viscous" of Forces: Number(&VISCOUS);
     /// Exponent of the unloading force. "pressure-shape" (recommended) follows from the contact pressure at maximum compression:
-    /// the error of e against finite elements is 1.0 % (rms) and 3.1 % at most. With 1.5, the value of the paper, e is 3.1 % too
+    /// the error of e against finite elements is 1.0 % (rms) and 3.1 % at most. With 1.5, the value of the paper, e is 3.0 % too
     /// low on average. Other numbers are for comparison only.
     "law.plm.unloading_exponent" of Law: NumberOr(&EXPONENT, "pressure-shape") => "1.5";
     /// File of coefficients of the loading curve, relative to the scenario.

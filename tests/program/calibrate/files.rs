@@ -180,7 +180,7 @@ fn fit_far_from_material_strength_warns() {
         let desk = Sandbox::with(text);
         std::fs::write(desk.path("d.csv"), data(unit)).unwrap();
         let (_, said) = desk.run_expecting(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0);
-        let doubt = "times the 402.2 MPa of aluminium-6061-t6. Check the units of the data";
+        let doubt = "times the 410.7 MPa of aluminium-6061-t6. Check the units of the data";
         assert_eq!(said.contains(doubt), is_doubted, "{unit}: {said}");
     }
 }

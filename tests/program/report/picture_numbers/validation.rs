@@ -1,5 +1,9 @@
 //! Pictures of `validate`, beside its table and its references.
 
+use plm_impact::laws::{PlmCoefficients, UnloadingExponent};
+use plm_impact::scenario::keys::interval::law_error::BodyClass;
+use plm_impact::validate::law_error::cycle_errors;
+
 use super::*;
 use crate::validate::validation::rebound_of_device;
 
@@ -54,6 +58,25 @@ fn load_cycles() -> Vec<Shown> {
         law(EXPONENTS[1], GREEN),
     ]);
     shown_there
+}
+
+/// The errors of e against the contact radius: one series for each class of bodies.
+fn errors_by_radius() -> Vec<Shown> {
+    let classes = [
+        (BodyClass::PerfectlyPlastic, BLUE),
+        (BodyClass::Hardening, VERMILLION),
+        (BodyClass::YieldingSphere, GREEN),
+        (BodyClass::OtherPoissonsRatio, PURPLE),
+    ];
+    let of_class = |(class, color)| {
+        let kind = "pictures::restitution_error_against_radius";
+        shown(kind, "error-restitution-contact-radius", 0, Marks(color), move |_| {
+            let errors = cycle_errors(PlmCoefficients::built_in(), UnloadingExponent::PressureShape).unwrap();
+            let of_class = errors.iter().filter(|(other, ..)| *other == class);
+            of_class.map(|(_, radius_ratio, error)| (*radius_ratio, 100.0 * error)).collect()
+        })
+    };
+    classes.map(of_class).into()
 }
 
 /// The peak of an unloading of case 3, and with its curve and its dent, in SI units.
@@ -175,7 +198,10 @@ fn rebounds() -> Vec<Shown> {
 pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
     let desk = Sandbox::with("");
     desk.run_expecting(&["validate", "--out", "out", "--pictures", "svg"], 0);
-    let shown = [load_cycles(), unloadings(), impacts(), metals(), rebounds()].into_iter().flatten().collect();
+    let shown = [load_cycles(), unloadings(), impacts(), metals(), rebounds(), errors_by_radius()]
+        .into_iter()
+        .flatten()
+        .collect();
     vec![Drawing { desk, shown }]
 });
 
