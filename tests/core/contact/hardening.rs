@@ -90,7 +90,7 @@ proptest! {
 
     #[test]
     fn saturating_measured_curves_satisfy_looser_bounds((law, bodies, _) in any_measured_law()) {
-        // a metal that has stopped hardening gives way in a deep dent
+        // a metal that has stopped hardening yields further in a deep dent
         is_monotonic(&law, &bodies, 0.9, 2e-3, 1e-2)?;
     }
 }

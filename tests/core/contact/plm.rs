@@ -169,7 +169,7 @@ fn zero_corrections_change_no_bit() {
     }
 }
 
-/// An impact that turns before a deep dent sees the same curve, whether its part beyond was computed or not; one that goes on sees
+/// An impact that turns before a deep dent sees the same curve, whether its part beyond was computed or not; one that continues sees
 /// the whole curve.
 #[test]
 fn impacts_see_the_curve_that_they_reach() {
