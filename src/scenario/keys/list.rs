@@ -44,7 +44,7 @@ macro_rules! strength_keys {
             /// start of that curve.
             "hardness" of $part: Number(&HARDNESS);
             /// Kind of strength: "flow" is the flow stress in the impact, at a plastic strain of 1 to 8 %, such as a calibrated
-            /// strength; "proof" is the 0.2 % proof stress of a tensile test, with which e is up to 37 % too low. The key changes
+            /// strength; "proof" is the 0.2 % proof stress of a tensile test, with which e is up to 38 % too low. The key changes
             /// only the interval of e.
             "strength_kind" of $part: Word(&STRENGTH_KINDS);
             /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a metal that strain-hardens. Validated for N = 0.1

@@ -64,7 +64,7 @@ fn rows() -> Vec<[String; 3]> {
             "warns: force, dent and e are extrapolations",
         ),
         row(
-            "inertia of the half-space, share of the peak force",
+            "part of the peak force that the inertia of the target would take away (not modelled)",
             format!("at most {}", percent(MAX_INERTIA_SHARE)),
             "warns: the peak force is too high",
         ),
@@ -74,7 +74,7 @@ fn rows() -> Vec<[String; 3]> {
             at_most(MAX_UNEQUAL_BALLS_RATIO),
             "warns: e has an additional error",
         ),
-        row("contact time, in wave transits 2 R/c of the ball", at_least(MIN_TRANSITS), "warns: e is too high"),
+        row("contact time over 2 R/c, the time of a longitudinal wave through the ball and back", at_least(MIN_TRANSITS), "warns: e is too high"),
         row(
             "impact speed over sticking speed",
             at_least(ADHESION_RANGE),
@@ -91,7 +91,7 @@ fn rows() -> Vec<[String; 3]> {
             "warns: tangential speed and spin are estimates",
         ),
         row(
-            "Dundurs' β, size, with partial slip",
+            "absolute value of Dundurs' β, with partial slip",
             at_most(MAX_DUNDURS_BETA),
             "warns: the tangential rebound has an error",
         ),

@@ -14,7 +14,7 @@ use crate::units::{Dimension, format_input};
 /// e of a cold-worked or quenched metal from its hardness is too low by at most this fraction.
 const HARDENED_TOO_LOW_BY: f64 = 0.041;
 /// e from the 0.2 % proof stress of a metal that hardens is too low by at most this fraction.
-const PROOF_TOO_LOW_BY: f64 = 0.37;
+const PROOF_TOO_LOW_BY: f64 = 0.38;
 
 /// The true e relative to the computed e, minus 1, if the computed e is too low by a fraction of the true e.
 fn true_over_computed(too_low_by: f64) -> f64 {
@@ -218,7 +218,7 @@ pub fn strength_notes(input: &Input, contact: &Contact, has_dent: bool, varied: 
             format!(" = {}", format_input(strength, Dimension::Pressure))
         };
         notes.push(format!(
-            "{WHICH_STRENGTH} e holds if {key}{value} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, e is up to 37 % too low. Set {}.strength_kind to \"flow\" or \"proof\": scenarios/README.md#which-strength",
+            "{WHICH_STRENGTH} e holds if {key}{value} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, e is up to 38 % too low. Set {}.strength_kind to \"flow\" or \"proof\": scenarios/README.md#which-strength",
             body.table_name()
         ));
     }
