@@ -39,14 +39,19 @@ fn the_header_is_that_of_the_source() {
         language: cbindgen::Language::C,
         cpp_compat: true,
         include_guard: Some("PLM_IMPACT_H".to_owned()),
-        header: Some("/* The contact law of plm-impact for C. Made by cbindgen from src/interfaces/c/mod.rs; SPDX-License-Identifier: MIT */".to_owned()),
+        header: Some("/* The contact law of plm-impact for C. Made by cbindgen from src/interfaces/c; SPDX-License-Identifier: MIT */".to_owned()),
         no_includes: true,
         sys_includes: vec!["stddef.h".to_owned(), "stdint.h".to_owned()],
         after_includes: Some(format!("\n/* Version of this header. */\n{version}{major}{minor}{patch}")),
         usize_is_size_t: true,
         ..cbindgen::Config::default()
     };
-    let made = cbindgen::Builder::new().with_src(source).with_config(config).generate().unwrap();
+    let made = cbindgen::Builder::new()
+        .with_src(source)
+        .with_src(root().join("src/interfaces/c/balls.rs"))
+        .with_config(config)
+        .generate()
+        .unwrap();
     let mut text = Vec::new();
     made.write(&mut text);
     // the Markdown of Rust means nothing in C
