@@ -10,7 +10,7 @@ use pyo3::types::PyDict;
 
 use super::cases::{self, KeyValues, PyContact, SPEED};
 use super::convert::{Numbers, Reduced, exception, html, source_of, warn, with_overrides};
-use super::force::force;
+use super::force::{Rubbing, energy, force, friction, stiffness};
 use super::impact::PyImpact;
 use crate::error::Error;
 use crate::impact;
@@ -150,6 +150,17 @@ impl PyContact {
     ///         memory[height >= 0] = 0                         # has left: the next contact is a fresh one
     ///         speed += 0.5 * dt * (force / mass - 9.81)
     ///
+    /// Two balls are a scenario with half_space = dict(radius=..., mass="ball", density=..., ...). Their overlap is the
+    /// indentation, and their relative motion has the reduced mass. From the first touch to the last:
+    ///
+    ///     overlap, speed, dt = 0.0, 3.0, 1e-7                 # of the two balls: m, m/s of the approach, s
+    ///     force, memory = balls.force(overlap)
+    ///     while overlap >= 0:
+    ///         speed -= 0.5 * dt * force / balls.reduced_mass_kg
+    ///         overlap += dt * speed
+    ///         force, memory = balls.force(overlap, memory)
+    ///         speed -= 0.5 * dt * force / balls.reduced_mass_kg
+    ///
     /// An indentation or a memory that is not finite, and a memory that no path of this contact leads to, raise ValueError.
     #[pyo3(signature = (indentation, memory=None))]
     fn force<'py>(
@@ -157,7 +168,59 @@ impl PyContact {
         indentation: &Bound<'py, PyAny>,
         memory: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
-        force(self.at_own_rate()?.as_ref(), indentation, memory)
+        Ok(force(self.at_own_rate()?.as_ref(), indentation, memory)?.into())
+    }
+
+    /// The energy that is stored in the contacts, which unloading gives back, and the plastic work of their dents (J). The
+    /// memories are those that `force` returned at these indentations.
+    fn energy<'py>(
+        &self,
+        indentation: &Bound<'py, PyAny>,
+        memory: &Bound<'py, PyAny>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        Ok(energy(self.at_own_rate()?.as_ref(), indentation, memory)?.into())
+    }
+
+    /// The tangent stiffness dF/d(indentation) (N/m): of the unloading branch up to the largest indentation so far, and of
+    /// the loading curve beyond it.
+    #[pyo3(signature = (indentation, memory=None))]
+    fn stiffness<'py>(
+        &self,
+        indentation: &Bound<'py, PyAny>,
+        memory: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        stiffness(self.at_own_rate()?.as_ref(), indentation, memory)
+    }
+
+    /// The friction on the sphere (N) after a time step, by one tangential spring and Coulomb's limit, as
+    /// mindlin_rescale/force of LAMMPS. It is the `history` of the next step, and has three numbers for each contact. Call it
+    /// after `force` returned `memory` at `indentation`. `previous_indentation` is that of the last step, 0 in the first;
+    /// `slip` is the way of the contact point along the surface in this step (m), three numbers too. The torque about the centre
+    /// is that of this force at the contact point.
+    #[pyo3(signature = (coefficient, previous_indentation, indentation, memory, slip, history=None))]
+    fn friction<'py>(
+        &self,
+        coefficient: f64,
+        previous_indentation: &Bound<'py, PyAny>,
+        indentation: &Bound<'py, PyAny>,
+        memory: &Bound<'py, PyAny>,
+        slip: &Bound<'py, PyAny>,
+        history: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let rubbing = Rubbing { previous_indentation, indentation, slip };
+        friction(self.at_own_rate()?.as_ref(), coefficient, &rubbing, memory, history)
+    }
+
+    /// Mass of the sphere (kg).
+    #[getter]
+    fn mass_kg(&self) -> f64 {
+        self.inner.mass()
+    }
+
+    /// Mass of the relative motion (kg): m1 m2/(m1 + m2) if the half-space is free to move, and else the mass of the sphere.
+    #[getter]
+    fn reduced_mass_kg(&self) -> f64 {
+        self.inner.reduced_mass()
     }
 
     /// Impact speed above which the half-space yields (m/s); `None` if it cannot yield.

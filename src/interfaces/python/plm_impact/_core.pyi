@@ -48,6 +48,10 @@ class Contact:
     @property
     def _law(self) -> str: ...
     @property
+    def mass_kg(self) -> float: ...
+    @property
+    def reduced_mass_kg(self) -> float: ...
+    @property
     def yield_speed_m_per_s(self) -> float | None: ...
     @property
     def yield_indentation_m(self) -> float | None: ...
@@ -64,6 +68,25 @@ class Contact:
     def force(
         self, indentation: _Array, memory: ArrayLike | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    @overload
+    def energy(self, indentation: float, memory: ArrayLike) -> tuple[float, float]: ...
+    @overload
+    def energy(
+        self, indentation: _Array, memory: ArrayLike
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    @overload
+    def stiffness(self, indentation: float, memory: ArrayLike | None = None) -> float: ...
+    @overload
+    def stiffness(self, indentation: _Array, memory: ArrayLike | None = None) -> NDArray[np.float64]: ...
+    def friction(
+        self,
+        coefficient: float,
+        previous_indentation: float | _Array,
+        indentation: float | _Array,
+        memory: ArrayLike,
+        slip: ArrayLike,
+        history: ArrayLike | None = None,
+    ) -> NDArray[np.float64]: ...
 
 @final
 class Impact:
