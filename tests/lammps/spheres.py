@@ -41,10 +41,12 @@ def write_pairs(
     write_spheres(path, (side * len(radii), side, side), *columns)
 
 
-def write_gas(path: Path, side: int, speed: float = 1.0, radii: tuple = (2e-3, 3e-3, 5e-3), seed: int = 1) -> None:
+def write_gas(
+    path: Path, side: int, speed: float = 1.0, radii: tuple = (2e-3, 3e-3, 5e-3), cell: float = 0.0125, seed: int = 1
+) -> None:
     """side**3 spheres of random radii with random velocities and no total momentum; two radii are the ends of all."""
     random = np.random.default_rng(seed)
-    count, cell = side**3, 0.0125
+    count = side**3
     radius = random.choice(radii, count) if len(radii) > 2 else random.uniform(*radii, count)
     places = (np.indices((side,) * 3).reshape(3, -1).T + 0.5) * cell
     velocity = random.normal(0.0, speed, (count, 3))
