@@ -61,11 +61,13 @@ static void rated(void) {
     refused(BODIES, 512);
 }
 
-/* Two balls of 5 and 3 mm at 1 m/s: by their own scenario, and by the bodies of another one with two radii. Then a loop of steps. */
+/* Two balls of 5 and 3 mm at 1 m/s: by their own scenario, and by the bodies of another one with two radii. Then a loop
+ * of steps. */
 static void meet(void) {
     char error[512] = "";
     plm_contact *balls = plm_contact_from_toml(
-        "sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, yield_strength = 3.45e8 }\n"
+        "sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, yield_strength = "
+        "3.45e8 }\n"
         "half_space = { radius = 3e-3, mass = \"ball\", youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, "
         "yield_strength = 3.45e8 }\nlaw = { plm = { unloading_exponent = \"pressure-shape\" } }\n",
         error, sizeof error);

@@ -11,7 +11,9 @@ DENSITY = 7850.0
 GAP = 1e-8
 
 
-def write_spheres(path: Path, box: tuple, types: list, radii: list, density: list, places: list, velocities: list) -> None:
+def write_spheres(
+    path: Path, box: tuple, types: list, radii: list, density: list, places: list, velocities: list
+) -> None:
     """A data file; the columns are lists of numbers, and every number is written with all its digits."""
     lines = ["spheres", "", f"{len(radii)} atoms", f"{max(types)} atom types", ""]
     lines += [f"0 {size!r} {axis}lo {axis}hi" for axis, size in zip("xyz", box)]
@@ -24,7 +26,13 @@ def write_spheres(path: Path, box: tuple, types: list, radii: list, density: lis
 
 
 def write_pairs(
-    path: Path, radii: list, speeds: list, densities: list, types: tuple = (1, 1), angle: float = 0.0, shift: float = 0.0
+    path: Path,
+    radii: list,
+    speeds: list,
+    densities: list,
+    types: tuple = (1, 1),
+    angle: float = 0.0,
+    shift: float = 0.0,
 ) -> None:
     """Pairs along x, one sphere above the other in z, of which the upper one moves at its speed, at an angle from the line of
     centres. All centres are moved by `shift` along z, through the faces of the box."""

@@ -173,14 +173,18 @@ def test_a_region_is_a_wall_too(plugin: Path, tmp_path: Path) -> None:
 def test_planes_of_all_axes_are_alike(plugin: Path, tmp_path: Path, wall: str, axes: str) -> None:
     """An oblique impact with friction on the plane z = 0, and the same with turned axes, from either side."""
     script = (INPUTS / "one.in").read_text().replace("boundary p p f", "boundary f f f")
-    script = script.replace("fix nve all nve\n", "fix nve all nve/sphere\n").replace("${scenario}", "${scenario} friction 0.1")
+    script = script.replace("fix nve all nve\n", "fix nve all nve/sphere\n").replace(
+        "${scenario}", "${scenario} friction 0.1"
+    )
     script = script.replace("-0.02 0.02 -0.02 0.02 -0.001 0.05", "-0.03 0.05 -0.03 0.05 -0.03 0.05")
     script = script.replace("run ${n}", 'run ${n}\nvariable v equal vx[1]+2*vy[1]+4*vz[1]\nprint "sum $(v_v:%.15f)"')
     sign = -1.0 if "below" in wall else 1.0
     distance = 0.005000001 if sign > 0 else 0.02 - 0.005000001
 
     def rebound(wall: str, place: dict, velocity: dict) -> dict:
-        text = script.replace("single 0 0 0.005000001", "single " + " ".join(repr(place.get(axis, 0.0)) for axis in "xyz"))
+        text = script.replace(
+            "single 0 0 0.005000001", "single " + " ".join(repr(place.get(axis, 0.0)) for axis in "xyz")
+        )
         text = text.replace("set 0 0 -3", "set " + " ".join(repr(velocity.get(axis, 0.0)) for axis in "xyz"))
         text = text.replace("plane 0", wall)
         for axis in "xyz":
@@ -201,11 +205,15 @@ def test_planes_of_all_axes_are_alike(plugin: Path, tmp_path: Path, wall: str, a
 def test_force_on_the_wall_is_the_momentum(plugin: Path, tmp_path: Path) -> None:
     """A load cell: the sum of f_wall[3] to f_wall[5] over all steps is the momentum that the sphere has lost."""
     script = (INPUTS / "one.in").read_text().replace("set 0 0 -3", "set 0.5 -0.2 -3")
-    script = script.replace("fix nve all nve\n", "fix nve all nve/sphere\n").replace("${scenario}", "${scenario} friction 0.1")
+    script = script.replace("fix nve all nve\n", "fix nve all nve/sphere\n").replace(
+        "${scenario}", "${scenario} friction 0.1"
+    )
     ends = "".join(f"variable {axis} equal v{axis}[1]\n" for axis in "xyz")
     sums = "variable mass equal mass(all)\nfix load all ave/time 1 ${n} ${n} f_wall[3] f_wall[4] f_wall[5]\n"
     script = script.replace("run ${n}", f"{ends}{sums}run ${{n}}\n")
-    script += "".join(f'print "{axis} $(v_{axis}:%.15f) $(f_load[{k}]:%.15g) $(v_mass:%.15g)"\n' for k, axis in enumerate("xyz", 1))
+    script += "".join(
+        f'print "{axis} $(v_{axis}:%.15f) $(f_load[{k}]:%.15g) $(v_mass:%.15g)"\n' for k, axis in enumerate("xyz", 1)
+    )
     made = tmp_path / "load.in"
     made.write_text(script)
     output = lammps(plugin, str(made), dt="1e-7", n=1000, scenario=STEEL)
@@ -241,7 +249,12 @@ WAVES = ROOT / "scenarios" / "alumina-on-aluminium-with-waves.toml"
             ["is 0.0001 deep in the wall when it first touches it, and moves 3e-07"],
         ),
         # a third of a contact
-        (("set 0 0 -3", "set 0 0 -3"), "1e-5", STEEL, ["e is not meaningful: the shortest contact has only 2.9 time steps"]),
+        (
+            ("set 0 0 -3", "set 0 0 -3"),
+            "1e-5",
+            STEEL,
+            ["e is not meaningful: the shortest contact has only 2.9 time steps"],
+        ),
         # e with waves is in the head of the scenario
         (
             ("density 7850", "density 3900"),

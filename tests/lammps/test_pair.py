@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 
@@ -13,7 +14,10 @@ ELASTIC = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
 STRENGTH = dict(yield_strength="345 MPa", strength_kind="flow")
 LAW = dict(plm=dict(unloading_exponent="pressure-shape"))
 
-def two_balls(radii: tuple, densities: tuple = (DENSITY, DENSITY), strengths: tuple = (STRENGTH, STRENGTH)) -> plm.Contact:
+
+def two_balls(
+    radii: tuple, densities: tuple = (DENSITY, DENSITY), strengths: tuple = (STRENGTH, STRENGTH)
+) -> plm.Contact:
     """The closed form of two balls: the bodies of STEEL, with the strengths of a one-material pair."""
     sphere = dict(radius=radii[0], density=densities[0], **ELASTIC, **strengths[0])
     half_space = dict(radius=radii[1], mass="ball", density=densities[1], **ELASTIC, **strengths[1])
@@ -27,7 +31,9 @@ def elastic_scenario(folder: Path) -> Path:
     return path
 
 
-def meet(plugin: Path, tmp_path: Path, name: str, dt: str, n: int, fails: bool = False, **options: object) -> np.ndarray:
+def meet(
+    plugin: Path, tmp_path: Path, name: str, dt: str, n: int, fails: bool = False, **options: object
+) -> np.ndarray:
     """Velocities and spins of all spheres after the pairs in pairs.data have met."""
     run = dict(data=tmp_path / "pairs.data", style="plm", coeff=f"* * {STEEL}", newton="on", ranks=1) | options
     lammps(plugin, "pair_meet.in", dt=dt, n=n, out=tmp_path / name, fails=fails, **run)
@@ -41,7 +47,9 @@ CASES = [(radii, speed, density) for radii in RATIOS for speed in SPEEDS for den
 
 
 # the errors of velocity Verlet at these steps
-@pytest.mark.parametrize(("dt", "steps", "within"), [("1e-7", 1500, 1e-4), ("1e-8", 15_000, 1e-6), ("1e-9", 150_000, 1e-8)])
+@pytest.mark.parametrize(
+    ("dt", "steps", "within"), [("1e-7", 1500, 1e-4), ("1e-8", 15_000, 1e-6), ("1e-9", 150_000, 1e-8)]
+)
 def test_two_balls_rebound_as_closed_form(plugin: Path, tmp_path: Path, dt: str, steps: int, within: float) -> None:
     write_pairs(tmp_path / "pairs.data", *map(list, zip(*CASES)))
     after = meet(plugin, tmp_path, "out", dt, steps).reshape(len(CASES), 2, 6)
@@ -62,7 +70,10 @@ def test_newton_off_changes_only_rounding(plugin: Path, tmp_path: Path) -> None:
 
 def test_two_types_are_sphere_and_half_space(plugin: Path, tmp_path: Path) -> None:
     """A soft and a hard ball: the lower type is the sphere of the scenario, whichever of the two is above."""
-    strengths = (dict(yield_strength="200 MPa", strength_kind="flow"), dict(yield_strength="900 MPa", strength_kind="flow"))
+    strengths = (
+        dict(yield_strength="200 MPa", strength_kind="flow"),
+        dict(yield_strength="900 MPa", strength_kind="flow"),
+    )
     scenario = tmp_path / "soft.toml"
     text = STEEL.read_text()
     for table_name, strength in zip(("sphere", "half_space"), ("200 MPa", "900 MPa")):
@@ -76,7 +87,16 @@ def test_two_types_are_sphere_and_half_space(plugin: Path, tmp_path: Path) -> No
         script = (INPUTS / "pair_meet.in").read_text().replace("pair_coeff ${coeff}", f"pair_coeff {coeff}")
         made = tmp_path / "types.in"
         made.write_text(script)
-        lammps(plugin, str(made), data=tmp_path / "pairs.data", style="plm", newton="on", dt="1e-7", n=1500, out=tmp_path / "out")
+        lammps(
+            plugin,
+            str(made),
+            data=tmp_path / "pairs.data",
+            style="plm",
+            newton="on",
+            dt="1e-7",
+            n=1500,
+            out=tmp_path / "out",
+        )
         rows = table(tmp_path / "out")
         radii = (5e-3, 3e-3) if types == (1, 2) else (3e-3, 5e-3)
         exact = two_balls(radii, strengths=strengths).restitution(1.0)
@@ -111,7 +131,9 @@ def test_oblique_pairs_keep_angular_momentum(plugin: Path, tmp_path: Path) -> No
 def test_friction_is_the_spring_of_granular(plugin: Path, tmp_path: Path, rolling: bool) -> None:
     """Elastic spheres at an angle, against LAMMPS: hertz/material, mindlin_rescale/force and rolling sds."""
     for angle in (0.1, 0.7):
-        write_pairs(tmp_path / "pairs.data", [(5e-3, 3e-3), (4e-3, 4e-3)], [0.5, 0.2], [(DENSITY, 4000.0)] * 2, angle=angle)
+        write_pairs(
+            tmp_path / "pairs.data", [(5e-3, 3e-3), (4e-3, 4e-3)], [0.5, 0.2], [(DENSITY, 4000.0)] * 2, angle=angle
+        )
         style = "plm friction 0.2" + (" rolling 3e5 0.01" if rolling else "")
         ours = meet(plugin, tmp_path, "ours", "1e-8", 15_000, style=style, coeff=f"* * {elastic_scenario(tmp_path)}")
         models = "hertz/material 210e9 0 0.3 tangential mindlin_rescale/force NULL 0 0.2 damping velocity"
@@ -226,12 +248,22 @@ def test_contacts_are_shown_by_pair_local(plugin: Path, tmp_path: Path) -> None:
     script = (INPUTS / "pair_meet.in").read_text()
     made = tmp_path / "local.in"
     made.write_text(
-        script.replace("thermo 1000000", "compute local all pair/local eng force p1 p2 p3 p4 p6\nthermo 1000000").replace(
-            "run ${n}", f"run ${{n}}\nwrite_dump all local {tmp_path}/local c_local[*] modify format float %.15g"
-        )
+        script.replace(
+            "thermo 1000000", "compute local all pair/local eng force p1 p2 p3 p4 p6\nthermo 1000000"
+        ).replace("run ${n}", f"run ${{n}}\nwrite_dump all local {tmp_path}/local c_local[*] modify format float %.15g")
     )
     # near the largest overlap, after some 12 us
-    lammps(plugin, str(made), data=tmp_path / "pairs.data", coeff=f"* * {STEEL}", newton="on", style="plm", dt="1e-7", n=120, out=tmp_path / "out")
+    lammps(
+        plugin,
+        str(made),
+        data=tmp_path / "pairs.data",
+        coeff=f"* * {STEEL}",
+        newton="on",
+        style="plm",
+        dt="1e-7",
+        n=120,
+        out=tmp_path / "out",
+    )
     stored, force, p1, overlap, dent, plastic, radius = np.loadtxt(tmp_path / "local", skiprows=9)
     balls = two_balls((5e-3, 3e-3))
     assert radius == pytest.approx(5e-3 * 3e-3 / 8e-3, rel=1e-12) and force == pytest.approx(p1, rel=1e-12)
@@ -246,13 +278,25 @@ def test_plm_works_beside_granular(plugin: Path, tmp_path: Path) -> None:
     write_pairs(tmp_path / "pairs.data", [(5e-3, 3e-3)], [1.0], [(DENSITY, DENSITY)])
     alone = meet(plugin, tmp_path, "alone", "1e-7", 1500)
     script = (INPUTS / "pair_meet.in").read_text()
-    script = script.replace("pair_coeff ${coeff}", f"pair_coeff 1 1 plm {STEEL}\npair_coeff 1*2 2 granular hooke 1e5 0 damping velocity tangential linear_nohistory 0 0")
+    script = script.replace(
+        "pair_coeff ${coeff}",
+        f"pair_coeff 1 1 plm {STEEL}\npair_coeff 1*2 2 granular hooke 1e5 0 damping velocity tangential linear_nohistory 0 0",
+    )
     write_pairs(tmp_path / "pairs.data", [(5e-3, 3e-3), (5e-3, 3e-3)], [1.0, 1.0], [(DENSITY, DENSITY)] * 2)
     text = (tmp_path / "pairs.data").read_text().replace("1 atom types", "2 atom types").replace("\n4 1 ", "\n4 2 ")
     (tmp_path / "pairs.data").write_text(text)
     made = tmp_path / "hybrid.in"
     made.write_text(script)
-    lammps(plugin, str(made), data=tmp_path / "pairs.data", style="hybrid plm granular", newton="on", dt="1e-7", n=1500, out=tmp_path / "hybrid")
+    lammps(
+        plugin,
+        str(made),
+        data=tmp_path / "pairs.data",
+        style="hybrid plm granular",
+        newton="on",
+        dt="1e-7",
+        n=1500,
+        out=tmp_path / "hybrid",
+    )
     rows = table(tmp_path / "hybrid")[:, 1:]
     assert np.abs(rows[:2] - alone).max() < 1e-12
     # the linear spring is still in contact, or gives everything back
@@ -288,7 +332,9 @@ def test_impossible_pair_is_refused(plugin: Path, tmp_path: Path, change: tuple,
     assert change[0] in script
     made = tmp_path / "bad.in"
     made.write_text(script.replace(*change).replace("SCENARIO", str(STEEL)))
-    output = lammps(plugin, str(made), fails=True, data=tmp_path / "pairs.data", newton="on", dt="1e-7", n=1, out=tmp_path / "out")
+    output = lammps(
+        plugin, str(made), fails=True, data=tmp_path / "pairs.data", newton="on", dt="1e-7", n=1, out=tmp_path / "out"
+    )
     assert words in output, output[-2000:]
 
 
@@ -302,7 +348,13 @@ NOT_SAID = ("when they first touch", "exceeds the validated", "not meaningful", 
         (100.0, 0.0, "1e-8", "* * {steel}", ["exceeds the validated"]),
         (1.0, 2e-5, "1e-7", "* * {steel}", ["overlap by 2e-05 when they first touch, and move by 1e-07 in a step"]),
         (1.0, 0.0, "5e-6", "* * {steel}", ["e is not meaningful: the shortest contact has only"]),
-        (1.0, 0.0, "1e-7", "1 1 {steel}\npair_coeff 2 2 {steel}\npair_coeff 1 2 {steel}", ["types 1 and 2 are of one material"]),
+        (
+            1.0,
+            0.0,
+            "1e-7",
+            "1 1 {steel}\npair_coeff 2 2 {steel}\npair_coeff 1 2 {steel}",
+            ["types 1 and 2 are of one material"],
+        ),
     ],
 )
 def test_doubtful_pair_warns_once(
@@ -315,9 +367,20 @@ def test_doubtful_pair_warns_once(
     script = (INPUTS / "pair_meet.in").read_text().replace("${coeff}", coeff.format(steel=STEEL))
     made = tmp_path / "doubtful.in"
     made.write_text(script.replace("run ${n}", "run ${n}\nrun ${n}"))
-    output = lammps(plugin, str(made), data=tmp_path / "pairs.data", newton="on", style="plm", dt=dt, n=300, out=tmp_path / "out")
+    output = lammps(
+        plugin, str(made), data=tmp_path / "pairs.data", newton="on", style="plm", dt=dt, n=300, out=tmp_path / "out"
+    )
     assert "steps of it keep e within 0.1 %" in output
     for word in words:
         assert output.count(word) == 1, output[-3000:]
     for word in NOT_SAID:
         assert word in " ".join(words) or word not in output, output[-3000:]
+
+
+# with UPDATE=1 alone, as the picture in test_lammps.py
+if os.environ.get("UPDATE") == "1":
+
+    def test_the_picture_of_a_gas_is_drawn(plugin: Path) -> None:
+        from picture import draw_gas
+
+        draw_gas(plugin)

@@ -188,9 +188,11 @@ def test_friction_is_mindlin_and_coulomb(contact: plm.Contact) -> None:
     many = contact.friction(0.3, [indentation] * 2, [indentation] * 2, [memory] * 2, [slip, 1e6 * slip])
     assert many[0].tolist() == friction.tolist()
     assert np.linalg.norm(many[1]) == pytest.approx(0.3 * force, rel=1e-12)
-    for bad, text in (((-0.1, indentation, indentation, memory, slip), "coefficient of 0 or more"),
-                      ((0.3, indentation, indentation, memory, slip[:2]), "slip: has the shape"),
-                      ((0.3, [0.0], indentation, memory, slip), "previous_indentation: has the shape")):
+    for bad, text in (
+        ((-0.1, indentation, indentation, memory, slip), "coefficient of 0 or more"),
+        ((0.3, indentation, indentation, memory, slip[:2]), "slip: has the shape"),
+        ((0.3, [0.0], indentation, memory, slip), "previous_indentation: has the shape"),
+    ):
         with pytest.raises(ValueError, match=text):
             contact.friction(*bad)
 

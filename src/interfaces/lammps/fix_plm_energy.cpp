@@ -99,7 +99,7 @@ double FixPLMEnergy::compute_vector(int k) {
     return all;
 }
 
-double FixPLMEnergy::memory_usage() { return (double) atom->nmax * COLUMNS * sizeof(double); }
+double FixPLMEnergy::memory_usage() { return (double)atom->nmax * COLUMNS * sizeof(double); }
 
 void FixPLMEnergy::grow_arrays(int nmax) {
     memory->grow(work, nmax, COLUMNS, "plm/energy:work");

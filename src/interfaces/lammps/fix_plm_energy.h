@@ -22,8 +22,8 @@ class FixPLMEnergy : public Fix {
     void setup(int) override;
     void post_force(int) override;
 
-    /* The work of one contact in one step, of which each sphere gets a half. A contact that two ranks compute counts half in
-       each. */
+    /* The work of one contact in one step, of which each sphere gets a half. A contact that two ranks compute counts
+       half in each. */
     void add(Work work, double share, double energy, int i, int j);
     /* The pair style is gone. */
     void forget(class PairPLM *);

@@ -1,9 +1,9 @@
 /* pair_style plm: spheres against spheres by the contact law of plm-impact.
    SPDX-License-Identifier: GPL-2.0-or-later
 
-   The history of a contact is the memory of the law (three doubles), the plastic work and the indentation; with friction the
-   friction on the sphere that owns the contact, with rolling friction the rolled way. All are those of the contact of the
-   scenario, but the rolled way. */
+   The history of a contact is the memory of the law (three doubles), the plastic work and the indentation; with
+   friction the friction on the sphere that owns the contact, with rolling friction the rolled way. All are those of the
+   contact of the scenario, but the rolled way. */
 
 #include "pair_plm.h"
 
@@ -33,7 +33,8 @@ constexpr const char *HISTORY = "NEIGH_HISTORY_PLM", *DUMMY = "NEIGH_HISTORY_PLM
 enum { MEMORY, TAKEN = 3, NOW, FRICTION, ROLLED = FRICTION + 3 };
 // with more radii than these, contacts are those of the nearest ratio of radii in a table
 constexpr std::size_t MOST_EXACT_RADII = 64;
-// a first overlap beyond this multiple of the way of one step, and this share of the radius, is a start inside of the other
+// a first overlap beyond this multiple of the way of one step, and this share of the radius, is a start inside of the
+// other
 constexpr double MAX_FIRST_OVERLAP_STEPS = 2.0, ROUNDING = 1e-6;
 
 void cross(const double *a, const double *b, double *result) {
@@ -101,7 +102,8 @@ void PairPLM::settings(int narg, char **arg) {
     finder = std::make_unique<PLM::Finder>(units);
 }
 
-/* A range of types with itself is one material; two different types are the sphere and the half-space of the scenario. */
+/* A range of types with itself is one material; two different types are the sphere and the half-space of the scenario.
+ */
 void PairPLM::coeff(int narg, char **arg) {
     if (narg != 3) error->all(FLERR, "Pair plm: expected: pair_coeff I J FILE");
     if (!allocated) allocate();
@@ -123,10 +125,11 @@ void PairPLM::coeff(int narg, char **arg) {
         contact = of_one;
     } else {
         if (of_one && plm_contact_fingerprint(of_one) != plm_contact_fingerprint(contact) && comm->me == 0)
-            error->warning(FLERR,
-                           "Pair plm: {}: e has an error of up to 7 % (mostly too high) if types {} and {} are of one "
-                           "material: one of the two bodies has no yield_strength and stays elastic. Give both strengths",
-                           arg[2], arg[0], arg[1]);
+            error->warning(
+                FLERR,
+                "Pair plm: {}: e has an error of up to 7 % (mostly too high) if types {} and {} are of one "
+                "material: one of the two bodies has no yield_strength and stays elastic. Give both strengths",
+                arg[2], arg[0], arg[1]);
         plm_contact_free(of_one);
     }
     laws.push_back(std::make_unique<PLM::PairLaw>(contact, has_one_material));
@@ -180,12 +183,14 @@ void PairPLM::init_style() {
 }
 
 double PairPLM::init_one(int i, int j) {
-    if (!setflag[i][j]) error->all(FLERR, "Pair plm: no scenario for types {} and {}: give pair_coeff {} {}", i, j, i, j);
+    if (!setflag[i][j])
+        error->all(FLERR, "Pair plm: no scenario for types {} and {}: give pair_coeff {} {}", i, j, i, j);
     law[j][i] = law[i][j];
     return largest[i] + largest[j];
 }
 
-/* Which time step the shortest contact needs: of the smallest spheres of two types, at the sum of the largest speeds. */
+/* Which time step the shortest contact needs: of the smallest spheres of two types, at the sum of the largest speeds.
+ */
 void PairPLM::setup() {
     const int n = atom->ntypes + 1;
     std::vector<double> least(2 * n, HUGE_VAL), fastest(n, 0.0), smallest(2 * n), speeds(n);
@@ -208,8 +213,8 @@ void PairPLM::setup() {
             const double of_contact = mass * scale * scale * scale;
             double speed = (speeds[i] + speeds[j]) * units.length / units.time, e;
             if (speed == 0.0)
-                speed = plm_contact_yield_speed(balls.contact) *
-                        sqrt(plm_contact_reduced_mass(balls.contact) / of_contact);
+                speed =
+                    plm_contact_yield_speed(balls.contact) * sqrt(plm_contact_reduced_mass(balls.contact) / of_contact);
             const double time = plm_contact_time_of_mass(balls.contact, of_contact, speed, &e);
             if (std::isfinite(time)) advice.add(time / scale / units.time, e, NAN);
         }
@@ -245,8 +250,8 @@ void PairPLM::compute(int eflag, int vflag) {
             const bool is_new = touches[jj] == 0;
             touches[jj] = 1;
             const bool is_in_order = type[i] <= type[j];
-            const PLM::Balls &balls = finder->find(law[type[i]][type[j]], radius[is_in_order ? i : j],
-                                                   radius[is_in_order ? j : i]);
+            const PLM::Balls &balls =
+                finder->find(law[type[i]][type[j]], radius[is_in_order ? i : j], radius[is_in_order ? j : i]);
             if (!balls.contact)
                 error->one(FLERR, "Pair plm: there is no contact between spheres of the radii {} and {}", radius[i],
                            radius[j]);
@@ -254,10 +259,16 @@ void PairPLM::compute(int eflag, int vflag) {
             const double of_contact = plm_contact_force(balls.contact, indentation, history + MEMORY);
             const double normal_force = of_contact / balls.force;
             if (!std::isfinite(normal_force))
-                error->one(FLERR, "Pair plm: the force between spheres {} and {} is not finite: is the timestep too long?",
+                error->one(FLERR,
+                           "Pair plm: the force between spheres {} and {} is not finite: is the timestep too long?",
                            atom->tag[i], atom->tag[j]);
-            Contact contact{i, j, {d[0] / r, d[1] / r, d[2] / r}, newton || j < nlocal ? 1.0 : 0.5, &balls,
-                            {history[NOW], indentation, of_contact, history + MEMORY}, history};
+            Contact contact{i,
+                            j,
+                            {d[0] / r, d[1] / r, d[2] / r},
+                            newton || j < nlocal ? 1.0 : 0.5,
+                            &balls,
+                            {history[NOW], indentation, of_contact, history + MEMORY},
+                            history};
             warn_once(contact, sum - r, is_new);
             if (history[MEMORY] != peak && account) count_plastic_work(contact);
             // the levers of the friction end in the middle of the overlap, which keeps the angular momentum
@@ -289,8 +300,8 @@ void PairPLM::compute(int eflag, int vflag) {
     }
 }
 
-/* Adds the friction on i to its force, and its moment about the centre over the lever. As in LAMMPS the slip is that of whole
-   radii; the work is that of the levers. */
+/* Adds the friction on i to its force, and its moment about the centre over the lever. As in LAMMPS the slip is that of
+   whole radii; the work is that of the levers. */
 void PairPLM::add_friction(Contact &contact, double *force, double *moment) {
     const int i = contact.i, j = contact.j;
     const double *n = contact.normal, scale = contact.balls->length;
@@ -305,7 +316,8 @@ void PairPLM::add_friction(Contact &contact, double *force, double *moment) {
     // the setup of a run has no step before it
     if (!update->setupflag) {
         if (!PLM::update_friction(contact.balls->contact, friction, n, contact.step, slip, history))
-            error->one(FLERR, "Pair plm: the friction between spheres {} and {} is not finite: is the timestep too long?",
+            error->one(FLERR,
+                       "Pair plm: the friction between spheres {} and {} is not finite: is the timestep too long?",
                        atom->tag[i], atom->tag[j]);
         if (account) {
             double of_levers[3], back[3];
@@ -327,7 +339,8 @@ void PairPLM::add_friction(Contact &contact, double *force, double *moment) {
 /* The rolling spring of LAMMPS (sds without damping): the couple on i, which is at most that of the coefficient. */
 void PairPLM::add_rolling(Contact &contact, double normal_force, double *couple) {
     const int i = contact.i, j = contact.j;
-    const double *n = contact.normal, effective = atom->radius[i] * atom->radius[j] / (atom->radius[i] + atom->radius[j]);
+    const double *n = contact.normal,
+                 effective = atom->radius[i] * atom->radius[j] / (atom->radius[i] + atom->radius[j]);
     double *rolled = contact.history + ROLLED;
     if (!update->setupflag) {
         const double before[] = {rolled[0], rolled[1], rolled[2]};
@@ -355,7 +368,8 @@ void PairPLM::count_plastic_work(Contact &contact) {
     double plastic, *taken = contact.history + TAKEN;
     const PLM::Step &step = contact.step;
     plm_contact_energy(contact.balls->contact, step.indentation, step.force, step.memory, &plastic);
-    account->add(FixPLMEnergy::PLASTIC, contact.share, (plastic - *taken) / contact.balls->energy, contact.i, contact.j);
+    account->add(FixPLMEnergy::PLASTIC, contact.share, (plastic - *taken) / contact.balls->energy, contact.i,
+                 contact.j);
     *taken = plastic;
 }
 
@@ -371,18 +385,20 @@ void PairPLM::warn_once(const Contact &contact, double overlap, bool is_new) {
         const bool is_known = j < atom->nlocal || comm->ghost_velocity;
         if (is_known && overlap > MAX_FIRST_OVERLAP_STEPS * way + ROUNDING * smaller) {
             is_inside = true;
-            error->warning(FLERR,
-                           "Pair plm: the initial overlap adds spurious energy. Spheres {} and {} overlap by {:.3g} when "
-                           "they first touch, and move by {:.3g} in a step. Place spheres apart",
-                           atom->tag[i], atom->tag[j], overlap, way);
+            error->warning(
+                FLERR,
+                "Pair plm: the initial overlap adds spurious energy. Spheres {} and {} overlap by {:.3g} when "
+                "they first touch, and move by {:.3g} in a step. Place spheres apart",
+                atom->tag[i], atom->tag[j], overlap, way);
         }
     }
     if (!is_deep && contact.step.indentation > contact.balls->validated) {
         is_deep = true;
-        error->warning(FLERR,
-                       "Pair plm: force, dent and e of spheres {} and {} are estimates: their overlap {:.3g} exceeds the "
-                       "validated {:.3g} for these radii",
-                       atom->tag[i], atom->tag[j], overlap, contact.balls->validated / contact.balls->length);
+        error->warning(
+            FLERR,
+            "Pair plm: force, dent and e of spheres {} and {} are estimates: their overlap {:.3g} exceeds the "
+            "validated {:.3g} for these radii",
+            atom->tag[i], atom->tag[j], overlap, contact.balls->validated / contact.balls->length);
     }
 }
 
@@ -398,8 +414,8 @@ double *PairPLM::history_of(int i, int j) {
     return nullptr;
 }
 
-/* For compute pair/local: stored energy, and force, overlap, dent depth, plastic work, size of the friction, radius of the
-   contact's effective sphere. */
+/* For compute pair/local: stored energy, and force, overlap, dent depth, plastic work, size of the friction, radius of
+   the contact's effective sphere. */
 double PairPLM::single(int i, int j, int itype, int jtype, double rsq, double, double, double &fforce) {
     std::fill_n(svector, single_extra, 0.0);
     fforce = 0.0;
@@ -407,8 +423,8 @@ double PairPLM::single(int i, int j, int itype, int jtype, double rsq, double, d
     const double *history = rsq < sum * sum ? history_of(i, j) : nullptr;
     if (!history) return 0.0;
     const bool is_in_order = itype <= jtype;
-    const PLM::Balls &balls = finder->find(law[itype][jtype], atom->radius[is_in_order ? i : j],
-                                           atom->radius[is_in_order ? j : i]);
+    const PLM::Balls &balls =
+        finder->find(law[itype][jtype], atom->radius[is_in_order ? i : j], atom->radius[is_in_order ? j : i]);
     double memory[] = {history[MEMORY], history[MEMORY + 1], history[MEMORY + 2]}, plastic;
     const double of_contact = plm_contact_force(balls.contact, history[NOW], memory);
     const double stored = plm_contact_energy(balls.contact, history[NOW], of_contact, memory, &plastic) / balls.energy;
@@ -430,14 +446,14 @@ double PairPLM::stored_energy() {
             if (!fix_history->firstflag[i][jj]) continue;
             const int j = list->firstneigh[i][jj] & NEIGHMASK;
             const bool is_in_order = atom->type[i] <= atom->type[j];
-            const PLM::Balls &balls =
-                finder->find(law[atom->type[i]][atom->type[j]], atom->radius[is_in_order ? i : j],
-                             atom->radius[is_in_order ? j : i]);
+            const PLM::Balls &balls = finder->find(law[atom->type[i]][atom->type[j]], atom->radius[is_in_order ? i : j],
+                                                   atom->radius[is_in_order ? j : i]);
             const double *history = fix_history->firstvalue[i] + size * jj;
             double memory[] = {history[MEMORY], history[MEMORY + 1], history[MEMORY + 2]};
             const double of_contact = plm_contact_force(balls.contact, history[NOW], memory);
             const double share = force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
-            stored += share * plm_contact_energy(balls.contact, history[NOW], of_contact, memory, nullptr) / balls.energy;
+            stored +=
+                share * plm_contact_energy(balls.contact, history[NOW], of_contact, memory, nullptr) / balls.energy;
         }
     }
     return stored;

@@ -48,12 +48,12 @@ class PairPLM : public Pair {
     void warn_once(const Contact &contact, double overlap, bool is_new);
     double *history_of(int i, int j);
 
-    double friction;                       // coefficient; below 0: none
-    double rolling_stiffness, rolling;     // of the rolling spring, and its coefficient; below 0: none
-    int size;                              // doubles of the history of a contact
+    double friction;                   // coefficient; below 0: none
+    double rolling_stiffness, rolling; // of the rolling spring, and its coefficient; below 0: none
+    int size;                          // doubles of the history of a contact
     std::vector<std::unique_ptr<PLM::PairLaw>> laws;
     std::vector<std::vector<PLM::PairLaw *>> law; // by types
-    std::vector<double> largest;           // largest radius of every type
+    std::vector<double> largest;                  // largest radius of every type
     class FixNeighHistory *fix_history;
     PLM::Units units;
     std::unique_ptr<PLM::Finder> finder;

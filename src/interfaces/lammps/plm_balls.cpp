@@ -11,7 +11,8 @@
 using namespace LAMMPS_NS;
 
 namespace {
-// contacts of a decade of the ratio of radii: e changes by less than 1e-5 from one to the next (tests/lammps/test_pair.py)
+// contacts of a decade of the ratio of radii: e changes by less than 1e-5 from one to the next
+// (tests/lammps/test_pair.py)
 constexpr double STEPS_A_DECADE = 1024.0;
 } // namespace
 
@@ -48,8 +49,7 @@ std::size_t PLM::Finder::place(const PairLaw *law, double first, double second) 
 
 void PLM::Finder::make(Entry &entry, PairLaw *law, double first, double second) {
     const auto has = [&](double radius) { return std::binary_search(exact.begin(), exact.end(), radius); };
-    const plm_contact *contact =
-        law->between(first * units.length, second * units.length, has(first) && has(second));
+    const plm_contact *contact = law->between(first * units.length, second * units.length, has(first) && has(second));
     const double effective = first * second / (first + second) * units.length;
     const double scale = contact ? plm_contact_effective_radius(contact) / effective : 0.0;
     entry.law = law;

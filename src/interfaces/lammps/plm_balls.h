@@ -13,16 +13,16 @@
 namespace LAMMPS_NS {
 namespace PLM {
 
-/* The contact of two spheres. Its numbers are those of spheres of another size, with the same ratio of radii: multiply a length
-   by length, and divide a force or an energy, to get from LAMMPS to the contact and back. */
+/* The contact of two spheres. Its numbers are those of spheres of another size, with the same ratio of radii: multiply
+   a length by length, and divide a force or an energy, to get from LAMMPS to the contact and back. */
 struct Balls {
     const plm_contact *contact;
     double length, force, energy;
     double validated; // the indentation of the contact up to which the data behind the law reach
 };
 
-/* The law of two types of spheres. With one material the larger sphere is the sphere of the scenario, so that a pair has the
-   same contact from both sides. */
+/* The law of two types of spheres. With one material the larger sphere is the sphere of the scenario, so that a pair
+   has the same contact from both sides. */
 class PairLaw {
   public:
     PairLaw(plm_contact *of_scenario, bool has_one_material);
@@ -30,8 +30,8 @@ class PairLaw {
     PairLaw(const PairLaw &) = delete;
     PairLaw &operator=(const PairLaw &) = delete;
 
-    /* The contact of two radii in metres, of the first and of the second type; nullptr if there is none. Its ratio of radii is
-       exact, or that of the nearest of STEPS_A_DECADE in a decade. */
+    /* The contact of two radii in metres, of the first and of the second type; nullptr if there is none. Its ratio of
+       radii is exact, or that of the nearest of STEPS_A_DECADE in a decade. */
     const plm_contact *between(double first, double second, bool is_exact);
 
     const plm_contact *scenario() const { return base; }

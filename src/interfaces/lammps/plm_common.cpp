@@ -55,8 +55,8 @@ double PLM::friction_of(LAMMPS *lmp, const char *style, const char *word) {
     if (!(friction >= 0.0) || !std::isfinite(friction))
         lmp->error->all(FLERR, "{}: friction {} must be a number of 0 or more", style, word);
     if (!lmp->atom->omega_flag || !lmp->atom->torque_flag)
-        lmp->error->all(FLERR, "{}: friction turns spheres, and atom_style {} has no spin: use atom_style sphere", style,
-                        lmp->atom->atom_style);
+        lmp->error->all(FLERR, "{}: friction turns spheres, and atom_style {} has no spin: use atom_style sphere",
+                        style, lmp->atom->atom_style);
     return friction;
 }
 
@@ -103,9 +103,9 @@ void PLM::Advice::report(LAMMPS *lmp, const char *style) {
                    "or less (it is {:.3g})\n",
                    style, all, STEPS_FOR_E, wanted, dt);
     if (worst.loss > 0.0)
-        utils::logmesg(lmp,
-                       "{}: elastic waves are left out: they would lower e from {:.4f} to {:.4f} where they take most\n",
-                       style, of_law, of_law - worst.loss);
+        utils::logmesg(
+            lmp, "{}: elastic waves are left out: they would lower e from {:.4f} to {:.4f} where they take most\n",
+            style, of_law, of_law - worst.loss);
     if (all < LEAST_STEPS * dt)
         lmp->error->warning(FLERR,
                             "{}: e is not meaningful: the shortest contact has only {:.1f} time steps. Use a "

@@ -36,8 +36,8 @@ struct Step {
     const double *memory;
 };
 
-/* The tangential spring. slip is the motion of the contact point along the surface in this step; history is the friction,
-   and is turned with the normal. Returns false if the friction is not finite. */
+/* The tangential spring. slip is the motion of the contact point along the surface in this step; history is the
+   friction, and is turned with the normal. Returns false if the friction is not finite. */
 bool update_friction(const plm_contact *contact, double coefficient, const double *normal, const Step &step,
                      const double *slip, double *history);
 

@@ -3,8 +3,8 @@
 
 #include "fix_plm_energy.h"
 #include "fix_plm_wall.h"
-#include "pair_plm.h"
 #include "library.h"
+#include "pair_plm.h"
 
 #include <cstdio>
 
