@@ -61,7 +61,7 @@ void FixPLMEnergy::init() {
                           "pair_style plm, and the dents in it belong to those; use them, or give this fix another ID");
 }
 
-void FixPLMEnergy::forget(PairPLM *gone) {
+void FixPLMEnergy::forget(const PairPLM *gone) {
     if (pair == gone) pair = nullptr;
 }
 

@@ -26,7 +26,7 @@ class FixPLMEnergy : public Fix {
        half in each. */
     void add(Work work, double share, double energy, int i, int j);
     /* The pair style is gone. */
-    void forget(class PairPLM *);
+    void forget(const class PairPLM *);
 
     double compute_scalar() override;
     double compute_vector(int) override;

@@ -48,7 +48,7 @@ double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] 
 
 PairPLM::PairPLM(LAMMPS *lmp)
     : Pair(lmp), account(nullptr), friction(-1.0), rolling_stiffness(0.0), rolling(-1.0), size(FRICTION),
-      fix_history(nullptr), is_deep(false), is_inside(false) {
+      fix_history(nullptr), units{}, is_deep(false), is_inside(false) {
     single_enable = 1;
     no_virial_fdotr_compute = 1;
     restartinfo = 0;
@@ -162,8 +162,8 @@ void PairPLM::init_style() {
         for (auto *fix : modify->get_fix_by_style(style))
             for (int type = 1; type <= types; type++) {
                 int itype = type;
-                if (void *radius = fix->extract("radius", itype))
-                    mine[type] = std::max(mine[type], *static_cast<double *>(radius));
+                if (const void *radius = fix->extract("radius", itype))
+                    mine[type] = std::max(mine[type], *static_cast<const double *>(radius));
             }
     std::set<double> radii;
     for (int i = 0; i < atom->nlocal; i++) {
@@ -302,7 +302,7 @@ void PairPLM::compute(int eflag, int vflag) {
 
 /* Adds the friction on i to its force, and its moment about the centre over the lever. As in LAMMPS the slip is that of
    whole radii; the work is that of the levers. */
-void PairPLM::add_friction(Contact &contact, double *force, double *moment) {
+void PairPLM::add_friction(const Contact &contact, double *force, double *moment) {
     const int i = contact.i, j = contact.j;
     const double *n = contact.normal, scale = contact.balls->length;
     double *history = contact.history + FRICTION;
@@ -337,7 +337,7 @@ void PairPLM::add_friction(Contact &contact, double *force, double *moment) {
 }
 
 /* The rolling spring of LAMMPS (sds without damping): the couple on i, which is at most that of the coefficient. */
-void PairPLM::add_rolling(Contact &contact, double normal_force, double *couple) {
+void PairPLM::add_rolling(const Contact &contact, double normal_force, double *couple) {
     const int i = contact.i, j = contact.j;
     const double *n = contact.normal,
                  effective = atom->radius[i] * atom->radius[j] / (atom->radius[i] + atom->radius[j]);
@@ -364,7 +364,7 @@ void PairPLM::add_rolling(Contact &contact, double normal_force, double *couple)
 }
 
 /* The plastic work of a dent that has grown: what was counted of this contact is in its history. */
-void PairPLM::count_plastic_work(Contact &contact) {
+void PairPLM::count_plastic_work(const Contact &contact) {
     double plastic, *taken = contact.history + TAKEN;
     const PLM::Step &step = contact.step;
     plm_contact_energy(contact.balls->contact, step.indentation, step.force, step.memory, &plastic);
@@ -405,11 +405,12 @@ void PairPLM::warn_once(const Contact &contact, double overlap, bool is_new) {
 /* The history of a contact, which one of its spheres owns; nullptr if they do not touch. */
 double *PairPLM::history_of(int i, int j) {
     const int owners[][2] = {{i, j}, {j, i}};
-    for (const auto &pair : owners) {
-        if (pair[0] >= atom->nlocal) continue;
-        for (int jj = 0; jj < list->numneigh[pair[0]]; jj++)
-            if ((list->firstneigh[pair[0]][jj] & NEIGHMASK) == pair[1])
-                return fix_history->firstflag[pair[0]][jj] ? fix_history->firstvalue[pair[0]] + size * jj : nullptr;
+    for (int k = 0; k < 2; k++) {
+        const int owner = owners[k][0];
+        if (owner >= atom->nlocal) continue;
+        for (int jj = 0; jj < list->numneigh[owner]; jj++)
+            if ((list->firstneigh[owner][jj] & NEIGHMASK) == owners[k][1])
+                return fix_history->firstflag[owner][jj] ? fix_history->firstvalue[owner] + size * jj : nullptr;
     }
     return nullptr;
 }

@@ -14,7 +14,7 @@ namespace LAMMPS_NS {
 
 class PairPLM : public Pair {
   public:
-    PairPLM(class LAMMPS *);
+    explicit PairPLM(class LAMMPS *);
     ~PairPLM() override;
     void compute(int, int) override;
     void settings(int, char **) override;
@@ -42,9 +42,9 @@ class PairPLM : public Pair {
         double *history;
     };
     void allocate();
-    void add_friction(Contact &contact, double *force, double *moment);
-    void add_rolling(Contact &contact, double normal_force, double *couple);
-    void count_plastic_work(Contact &contact);
+    void add_friction(const Contact &contact, double *force, double *moment);
+    void add_rolling(const Contact &contact, double normal_force, double *couple);
+    void count_plastic_work(const Contact &contact);
     void warn_once(const Contact &contact, double overlap, bool is_new);
     double *history_of(int i, int j);
 

@@ -45,10 +45,10 @@ class PairLaw {
 /* Finds the contact of two spheres in every step: a table by the radii. */
 class Finder {
   public:
-    Finder(const Units &units) : units(units), found(SIZE) {}
+    explicit Finder(const Units &units) : units(units), found(SIZE) {}
     /* The radii that have an exact contact, in units of LAMMPS and sorted. */
     void set_exact(const std::vector<double> &radii);
-    double memory_usage() const { return SIZE * sizeof(Entry); }
+    double memory_usage() const { return found.size() * sizeof(Entry); }
     const Balls &find(PairLaw *law, double first, double second) {
         Entry &entry = found[place(law, first, second)];
         if (entry.law != law || entry.first != first || entry.second != second) make(entry, law, first, second);
