@@ -266,7 +266,7 @@ fn c_program_prints_bits_of_library() {
         "\nno scenar\nnan nan nan\nno memory is spoilt\n",
         &format!("\n{}\n{}\n1 1 1\nradii 1 0.005 0.00375\n", bits[0], bits[1]),
         &format!("\nballs {of_balls} 1 1 1 1 "),
-        "\norder 1 nothing 1 1 1 1\nno contact: the pointer is NULL\n",
+        "\norder 1 nothing 1 1 1 1\nno contact: the pointer is NULL\nsphere and half_space have different",
         "\nsphere and half_space have different elastic constants, but both are the same material here.",
         &format!("\nrated {of_rate}\nscenario:2:"),
         "strain-rate keys require impact.speed",

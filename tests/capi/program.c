@@ -206,8 +206,6 @@ int main(int count, char **arguments) {
            bits(plm_contact_validated_indentation(contact)), bits(plm_contact_restitution_with_waves(waves, 3.0)));
     printf("%d %d %d\n", isnan(plm_contact_restitution_with_waves(contact, 3.0)),
            isnan(plm_contact_restitution_with_waves(NULL, 3.0)), isnan(plm_contact_validated_indentation(NULL)));
-    two_materials(waves);
-    plm_contact_free((plm_contact *)waves);
 
     /* the effective radius is that of the sphere on a flat half-space, and less on a convex one: 5 mm on 15 mm has 3.75
      * mm */
@@ -220,6 +218,8 @@ int main(int count, char **arguments) {
     plm_contact_free(convex);
 
     meet();
+    two_materials(waves);
+    plm_contact_free((plm_contact *)waves);
     rated();
     rubbed();
 
