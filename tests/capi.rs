@@ -39,14 +39,19 @@ fn the_header_is_that_of_the_source() {
         language: cbindgen::Language::C,
         cpp_compat: true,
         include_guard: Some("PLM_IMPACT_H".to_owned()),
-        header: Some("/* The contact law of plm-impact for C. Made by cbindgen from src/interfaces/c/mod.rs; SPDX-License-Identifier: MIT */".to_owned()),
+        header: Some("/* The contact law of plm-impact for C. Made by cbindgen from src/interfaces/c; SPDX-License-Identifier: MIT */".to_owned()),
         no_includes: true,
         sys_includes: vec!["stddef.h".to_owned(), "stdint.h".to_owned()],
         after_includes: Some(format!("\n/* Version of this header. */\n{version}{major}{minor}{patch}")),
         usize_is_size_t: true,
         ..cbindgen::Config::default()
     };
-    let made = cbindgen::Builder::new().with_src(source).with_config(config).generate().unwrap();
+    let made = cbindgen::Builder::new()
+        .with_src(source)
+        .with_src(root().join("src/interfaces/c/balls.rs"))
+        .with_config(config)
+        .generate()
+        .unwrap();
     let mut text = Vec::new();
     made.write(&mut text);
     // the Markdown of Rust means nothing in C
@@ -237,8 +242,21 @@ fn c_program_prints_bits_of_library() {
     let forces = [30e-6, 29e-6].map(|indentation| rated.force(indentation, &mut memory));
     let of_rate = hex_words(&[impact.row.contact_time, impact.row.restitution, forces[0], forces[1]]);
     let of_sphere = hex_words(&[contact.sphere().radius, contact.mass(), contact.yield_speed().unwrap()]);
+    let balls = [
+        "sphere.yield_strength=345e6",
+        "half_space.radius=3e-3",
+        "half_space.mass=\"ball\"",
+        "half_space.density=7850",
+    ]
+    .map(|text| text.into());
+    let balls = Scenario::load(&scenario, &balls).unwrap().resolve().unwrap().contact().unwrap();
+    let of_balls = hex_words(&[balls.closed_form(1.0).unwrap().row.restitution]);
     // the messages of the bad scenarios that the program tried, in its order
     let errors = printed[expected.len()..].join("\n");
+    // velocity Verlet with 10 ns, some 2500 steps
+    let (_, line) = errors.split_once("\nballs ").unwrap();
+    let error: f64 = line.lines().next().unwrap().split(' ').next_back().unwrap().parse().unwrap();
+    assert!(error < 2e-6, "{error}");
     for words in [
         "scenario:1:21: sphere.radius: \"-5 mm\"",
         "scenario:3:11: gravity: is not supported in a DEM contact. The simulation adds this force itself. Remove this part.",
@@ -247,6 +265,9 @@ fn c_program_prints_bits_of_library() {
         "\nno scenario: the pointer is NULL\n",
         "\nno scenar\nnan nan nan\nno memory is spoilt\n",
         &format!("\n{}\n{}\n1 1 1\nradii 1 0.005 0.00375\n", bits[0], bits[1]),
+        &format!("\nballs {of_balls} 1 1 1 1 "),
+        "\norder 1 nothing 1 1 1 1\nno contact: the pointer is NULL\nsphere and half_space have different",
+        "\nsphere and half_space have different elastic constants, but both are the same material here.",
         &format!("\nrated {of_rate}\nscenario:2:"),
         "strain-rate keys require impact.speed",
         &format!("\n{}21 frictions fail\nno friction without a contact\n", friction_along_the_path(&contact)),

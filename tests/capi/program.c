@@ -61,6 +61,49 @@ static void rated(void) {
     refused(BODIES, 512);
 }
 
+/* Two balls of 5 and 3 mm at 1 m/s: by their own scenario, and by the bodies of another one with two radii. Then a loop
+ * of steps. */
+static void meet(void) {
+    char error[512] = "";
+    plm_contact *balls = plm_contact_from_toml(
+        "sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, yield_strength = "
+        "3.45e8 }\n"
+        "half_space = { radius = 3e-3, mass = \"ball\", youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, "
+        "yield_strength = 3.45e8 }\nlaw = { plm = { unloading_exponent = \"pressure-shape\" } }\n",
+        error, sizeof error);
+    plm_contact *alike = plm_contact_of_one_material(contact, error, sizeof error);
+    plm_contact *between = plm_contact_between(alike, 5e-3, 3e-3);
+    double own, same, heavy, memory[3] = {0.0, 0.0, 0.0}, indentation = 0.0, speed = 1.0, force = 0.0;
+    const double time = plm_contact_time(balls, 1.0, &own), dt = 1e-8, mass = plm_contact_reduced_mass(balls);
+    plm_contact_time(between, 1.0, &same);
+    /* four times the mass at half the speed has the same energy, the same path, and twice the time */
+    const double twice = plm_contact_time_of_mass(balls, 4.0 * mass, 0.5, &heavy);
+    do {
+        speed -= 0.5 * dt * force / mass;
+        indentation += dt * speed;
+        force = plm_contact_force(balls, indentation, memory);
+        speed -= 0.5 * dt * force / mass;
+    } while (indentation > 0.0);
+    printf("balls %016" PRIx64 " %d %d %d %d %.3e\n", bits(own), fabs(same - own) < 1e-12, fabs(heavy - own) < 1e-12,
+           fabs(twice - 2.0 * time) < 1e-12 * time, mass < plm_contact_mass(balls), fabs(-speed - own));
+    plm_contact *other = plm_contact_between(balls, 3e-3, 5e-3);
+    plm_contact_time(other, 1.0, &same);
+    printf("order %d nothing %d %d %d %d\n", fabs(same - own) < 1e-12, plm_contact_between(balls, 0.0, 3e-3) == NULL,
+           plm_contact_between(balls, 5e-3, NAN) == NULL, plm_contact_between(NULL, 5e-3, 3e-3) == NULL,
+           isnan(plm_contact_time_of_mass(balls, NAN, 1.0, NULL)));
+    plm_contact_free(other);
+    plm_contact_free(between);
+    plm_contact_free(alike);
+    plm_contact_free(balls);
+    printf("%s\n", plm_contact_of_one_material(NULL, error, sizeof error) == NULL ? error : "accepted");
+}
+
+/* An alumina ball on aluminium is not of one material. */
+static void two_materials(const plm_contact *waves) {
+    char error[512] = "";
+    printf("%s\n", plm_contact_of_one_material(waves, error, sizeof error) == NULL ? error : "accepted");
+}
+
 /* Friction along the path, with slip in two directions of which one changes its sign, and what the sphere is. */
 static void rubbed(void) {
     double memory[3] = {0.0, 0.0, 0.0}, history[3] = {0.0, 0.0, 0.0}, previous_indentation = 0.0;
@@ -163,7 +206,6 @@ int main(int count, char **arguments) {
            bits(plm_contact_validated_indentation(contact)), bits(plm_contact_restitution_with_waves(waves, 3.0)));
     printf("%d %d %d\n", isnan(plm_contact_restitution_with_waves(contact, 3.0)),
            isnan(plm_contact_restitution_with_waves(NULL, 3.0)), isnan(plm_contact_validated_indentation(NULL)));
-    plm_contact_free((plm_contact *)waves);
 
     /* the effective radius is that of the sphere on a flat half-space, and less on a convex one: 5 mm on 15 mm has 3.75
      * mm */
@@ -175,6 +217,9 @@ int main(int count, char **arguments) {
            plm_contact_radius(convex), plm_contact_effective_radius(convex));
     plm_contact_free(convex);
 
+    meet();
+    two_materials(waves);
+    plm_contact_free((plm_contact *)waves);
     rated();
     rubbed();
 

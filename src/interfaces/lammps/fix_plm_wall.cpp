@@ -33,10 +33,7 @@ enum { WALL, MEMORY, TAKEN = 4, NOW, FRICTION };
 constexpr int SLOT_SIZE = FRICTION, SLOT_SIZE_FRICTION = FRICTION + 3;
 // doubles of a sphere in a restart file before its state
 constexpr int RESTART_HEADER = 2;
-// steps per contact for e within 0.1 %: plots/bench/README.md, the worst problem
-constexpr double STEPS_FOR_E = 70.0;
-// with fewer steps than these e is off by several per cent
-constexpr double LEAST_STEPS = 10.0;
+constexpr const char *STYLE = "Fix plm/wall";
 // a first overlap beyond this multiple of the way of one step, and this share of the radius, is a start inside the wall
 constexpr double MAX_FIRST_OVERLAP_STEPS = 2.0, ROUNDING = 1e-6;
 // below this radius of a region, over the radius of the sphere, a warning is given: the relative radius is off by 2 %
@@ -44,44 +41,36 @@ constexpr double CURVED = 50.0;
 } // namespace
 
 FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg)
-    : Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), friction(-1.0),
-      slot_size(SLOT_SIZE), state(nullptr), is_advised(false), is_curved(false), is_deep(false), is_inside(false) {
+    : Fix(lmp, narg, arg), axis(2), side(1.0), height(0.0), region_name(nullptr), region(nullptr), walls(1),
+      friction(-1.0), slot_size(SLOT_SIZE), load{0.0, 0.0, 0.0}, state(nullptr), is_curved(false), is_deep(false),
+      is_inside(false) {
     const char *usage =
-        "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ... [friction MU]";
+        "expected: fix ID group plm/wall (plane Z | plane AXIS POSITION above|below | region NAME) scenario FILE "
+        "[type N FILE] ... [friction MU]";
     if (narg < 7) error->all(FLERR, "Fix plm/wall: {}", usage);
     if (!atom->radius_flag || !atom->rmass_flag)
         error->all(FLERR, "Fix plm/wall needs spheres with radius and mass: use atom_style sphere");
     if (!atom->tag_enable) error->all(FLERR, "Fix plm/wall needs atom IDs");
 
-    const std::string units = update->unit_style;
-    if (units == "si") {
-        length_unit = 1.0;
-        mass_unit = 1.0;
-        time_unit = 1.0;
-    } else if (units == "cgs") {
-        length_unit = 1e-2;
-        mass_unit = 1e-3;
-        time_unit = 1.0;
-    } else if (units == "micro") {
-        length_unit = 1e-6;
-        mass_unit = 1e-15;
-        time_unit = 1e-6;
-    } else if (units == "nano") {
-        length_unit = 1e-9;
-        mass_unit = 1e-21;
-        time_unit = 1e-9;
-    } else
-        error->all(
-            FLERR,
-            "Fix plm/wall: a scenario has SI units, and units {} have no length in metres: use si, cgs, micro or nano",
-            units);
-    force_unit = mass_unit * length_unit / (time_unit * time_unit);
+    units = PLM::units_of(lmp, STYLE);
 
     int at = 3;
     if (strcmp(arg[at], "plane") == 0) {
-        height = utils::numeric(FLERR, arg[at + 1], false, lmp);
-        if (domain->zperiodic)
-            error->all(FLERR, "Fix plm/wall: a plane needs a box that is not periodic in z (boundary p p f)");
+        const char *found = strlen(arg[at + 1]) == 1 ? strchr("xyz", arg[at + 1][0]) : nullptr;
+        if (found) {
+            if (narg < 9) error->all(FLERR, "Fix plm/wall: {}", usage);
+            axis = arg[at + 1][0] - 'x';
+            height = utils::numeric(FLERR, arg[at + 2], false, lmp);
+            if (strcmp(arg[at + 3], "below") == 0)
+                side = -1.0;
+            else if (strcmp(arg[at + 3], "above") != 0)
+                error->all(FLERR, "Fix plm/wall: the spheres are above or below a plane, and not {}; {}", arg[at + 3],
+                           usage);
+            at += 2;
+        } else
+            height = utils::numeric(FLERR, arg[at + 1], false, lmp);
+        if (domain->periodicity[axis])
+            error->all(FLERR, "Fix plm/wall: a plane needs a box that is not periodic in {} (boundary)", "xyz"[axis]);
     } else if (strcmp(arg[at], "region") == 0) {
         region_name = utils::strdup(arg[at + 1]);
         region = domain->get_region_by_id(region_name);
@@ -90,7 +79,7 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg)
     } else
         error->all(FLERR, "Fix plm/wall: unknown wall {}; {}", arg[at], usage);
 
-    for (at = 5; at < narg;) {
+    for (at += 2; at < narg;) {
         int type = 0;
         const char *file = nullptr;
         if (strcmp(arg[at], "scenario") == 0 && at + 1 < narg) {
@@ -103,13 +92,7 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg)
             file = arg[at + 2];
             at += 3;
         } else if (strcmp(arg[at], "friction") == 0 && at + 1 < narg) {
-            friction = utils::numeric(FLERR, arg[at + 1], false, lmp);
-            if (!(friction >= 0.0) || !std::isfinite(friction))
-                error->all(FLERR, "Fix plm/wall: friction {} must be a number of 0 or more", arg[at + 1]);
-            if (!atom->omega_flag || !atom->torque_flag)
-                error->all(FLERR,
-                           "Fix plm/wall: friction turns spheres, and atom_style {} has no spin: use atom_style sphere",
-                           atom->atom_style);
+            friction = PLM::friction_of(lmp, STYLE, arg[at + 1]);
             slot_size = SLOT_SIZE_FRICTION;
             at += 2;
             continue;
@@ -117,9 +100,7 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg)
             error->all(FLERR, "Fix plm/wall: unknown or incomplete keyword {}; {}", arg[at], usage);
         if (contacts.count(type))
             error->all(FLERR, "Fix plm/wall: two scenarios for the same spheres; the second is {}", file);
-        char message[2048];
-        plm_contact *contact = plm_contact_open(file, message, sizeof(message));
-        if (!contact) error->all(FLERR, "Fix plm/wall: {}", message);
+        plm_contact *contact = PLM::open_contact(lmp, STYLE, file);
         if (plm_contact_effective_radius(contact) != plm_contact_radius(contact))
             error->all(FLERR,
                        "Fix plm/wall: {}: half_space.radius curves the wall, and the law of a curved wall does not "
@@ -133,14 +114,14 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg)
         const auto found = contacts.count(type) ? contacts.find(type) : contacts.find(0);
         const plm_contact *contact = found == contacts.end() ? nullptr : found->second;
         // 52 bits, which a double holds exactly
-        laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0,
+        laws.push_back({contact, contact ? plm_contact_radius(contact) / units.length : 0.0,
                         contact ? plm_contact_validated_indentation(contact) : 0.0,
                         static_cast<double>(plm_contact_fingerprint(contact) >> 12)});
     }
 
     values = FIRST_SLOT + slot_size * walls;
     scalar_flag = vector_flag = 1;
-    size_vector = 2;
+    size_vector = 5;
     extscalar = extvector = 1;
     global_freq = 1;
     energy_global_flag = 1;
@@ -180,75 +161,44 @@ void FixPLMWall::init() {
 
 void FixPLMWall::setup(int vflag) {
     post_force(vflag);
-    if (!is_advised) advise();
-    is_advised = true;
+    advise();
 }
 
 /* Reports once which time step is needed for the shortest contact, and what waves would take of the fastest impact. By
    the same scaling, a speed v is v sqrt(density ratio) for the sphere of the scenario. */
 void FixPLMWall::advise() {
-    // shortest contact; and the largest loss by waves, with e of that impact
-    double shortest = HUGE_VAL, lost = 0.0, of_law = 0.0;
     for (int i = 0; i < atom->nlocal; i++) {
         if (!(atom->mask[i] & groupbit)) continue;
         const plm_contact *contact = laws[atom->type[i]].contact;
         if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
         const double *v = atom->v[i];
-        double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * length_unit / time_unit;
+        double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * units.length / units.time;
         const double scale = scale_of(i);
-        const double denser = sqrt(atom->rmass[i] * mass_unit * scale * scale * scale / plm_contact_mass(contact));
+        const double denser = sqrt(atom->rmass[i] * units.mass * scale * scale * scale / plm_contact_mass(contact));
         if (speed == 0.0) speed = plm_contact_yield_speed(contact) / denser;
         double e;
-        const double time = plm_contact_time(contact, speed * denser, &e) * denser / scale / time_unit;
-        if (time < shortest) shortest = time;
-        const double loss = e - plm_contact_restitution_with_waves(contact, speed * denser);
-        if (loss > lost) {
-            lost = loss;
-            of_law = e;
-        }
+        const double time = plm_contact_time(contact, speed * denser, &e) * denser / scale / units.time;
+        advice.add(time, e, plm_contact_restitution_with_waves(contact, speed * denser));
     }
-    struct {
-        double loss;
-        int rank;
-    } mine{lost, comm->me}, worst;
-    MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
-    MPI_Bcast(&of_law, 1, MPI_DOUBLE, worst.rank, world);
-    double all;
-    MPI_Allreduce(&shortest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
-    if (comm->me != 0 || all == HUGE_VAL) return;
-    const double wanted = all / STEPS_FOR_E;
-    utils::logmesg(
-        lmp,
-        "Fix plm/wall: the shortest contact lasts {:.4g}; {:.0f} steps of it keep e within 0.1 %: timestep {:.3g} "
-        "or less (it is {:.3g})\n",
-        all, STEPS_FOR_E, wanted, update->dt);
-    if (worst.loss > 0.0)
-        utils::logmesg(
-            lmp,
-            "Fix plm/wall: elastic waves are left out: they would lower e from {:.4f} to {:.4f} where they take most\n",
-            of_law, of_law - worst.loss);
-    if (all < LEAST_STEPS * update->dt)
-        error->warning(FLERR,
-                       "Fix plm/wall: e is not meaningful: the shortest contact has only {:.1f} time steps. Use a "
-                       "timestep of {:.3g} or less",
-                       all / update->dt, wanted);
-    else if (update->dt > wanted)
-        error->warning(FLERR, "Fix plm/wall: the timestep {:.3g} is too long for e within 0.1 %", update->dt);
+    advice.report(lmp, STYLE);
 }
 
 void FixPLMWall::post_force(int /*vflag*/) {
     double **x = atom->x;
     const double *radius = atom->radius;
+    double normal[] = {0.0, 0.0, 0.0};
+    normal[axis] = side;
+    std::fill_n(load, 3, 0.0);
     for (int i = 0; i < atom->nlocal; i++) {
         if (!(atom->mask[i] & groupbit)) continue;
         double *slots = state[i] + FIRST_SLOT;
         state[i][PLASTIC] = state[i][ENDED];
         if (!region) {
-            const double distance = x[i][2] - height;
+            const double distance = side * (x[i][axis] - height);
             if (distance < radius[i]) {
                 const bool is_new = slots[WALL] == 0.0;
                 slots[WALL] = 1.0;
-                update_contact(i, 0.0, 0.0, 1.0, distance, slots, is_new);
+                update_contact(i, normal, distance, slots, is_new);
             } else if (slots[WALL] != 0.0)
                 end_contact(i, slots);
         } else if (region->match(x[i][0], x[i][1], x[i][2])) {
@@ -277,7 +227,8 @@ void FixPLMWall::post_force(int /*vflag*/) {
                                    "the law takes it as flat",
                                    region_name, std::abs(at.radius), radius[i]);
                 }
-                update_contact(i, at.delx / at.r, at.dely / at.r, at.delz / at.r, at.r, slot, is_new);
+                const double of_region[] = {at.delx / at.r, at.dely / at.r, at.delz / at.r};
+                update_contact(i, of_region, at.r, slot, is_new);
             }
         } else
             error->one(FLERR, "Fix plm/wall: the centre of sphere {} is outside of region {}", atom->tag[i],
@@ -285,14 +236,14 @@ void FixPLMWall::post_force(int /*vflag*/) {
     }
 }
 
-/* Adds the force of a contact. n is the normal of the wall, towards the sphere. */
-void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new) {
+/* Adds the force of a contact. The normal of the wall points towards the sphere. */
+void FixPLMWall::update_contact(int i, const double *normal, double distance, double *slot, bool is_new) {
     const Law &law = laws[atom->type[i]];
     const plm_contact *contact = law.contact;
     if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
     const double scale = scale_of(i);
     const double overlap = atom->radius[i] - distance;
-    const double indentation = overlap * length_unit * scale;
+    const double indentation = overlap * units.length * scale;
     if (is_new && !is_inside) {
         const double *v = atom->v[i];
         const double way = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * update->dt;
@@ -307,18 +258,17 @@ void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double d
     }
     const double peak = slot[MEMORY], previous_indentation = slot[NOW];
     const double of_contact = plm_contact_force(contact, indentation, slot + MEMORY);
-    const double force = of_contact / (scale * scale) / force_unit;
+    const double force = of_contact / (scale * scale) / units.force;
     if (!std::isfinite(force))
         error->one(FLERR, "Fix plm/wall: the force on sphere {} is not finite: is the timestep too long?",
                    atom->tag[i]);
     double *f = atom->f[i];
-    f[0] += force * nx;
-    f[1] += force * ny;
-    f[2] += force * nz;
-    if (friction >= 0.0) {
-        const double normal[] = {nx, ny, nz};
-        add_friction(i, contact, normal, previous_indentation, indentation, of_contact, slot);
+    for (int k = 0; k < 3; k++) {
+        f[k] += force * normal[k];
+        load[k] -= force * normal[k];
     }
+    if (friction >= 0.0)
+        add_friction(i, contact, normal, {previous_indentation, indentation, of_contact, slot + MEMORY}, slot);
 
     if (indentation > law.validated_indentation && !is_deep) {
         is_deep = true;
@@ -326,46 +276,33 @@ void FixPLMWall::update_contact(int i, double nx, double ny, double nz, double d
                        "Fix plm/wall: force, dent and e of sphere {} are estimates: its overlap {:.3g} exceeds the "
                        "validated {:.3g} for this "
                        "radius",
-                       atom->tag[i], overlap, law.validated_indentation / scale / length_unit);
+                       atom->tag[i], overlap, law.validated_indentation / scale / units.length);
     }
     // the plastic work changes only if the dent grows
     if (slot[MEMORY] != peak) plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, slot + TAKEN);
     slot[NOW] = indentation;
-    state[i][DENT] = (slot[MEMORY] - slot[MEMORY + 2]) / scale / length_unit;
+    state[i][DENT] = (slot[MEMORY] - slot[MEMORY + 2]) / scale / units.length;
     state[i][PLASTIC] += slot[TAKEN] / energy_scale(scale);
 }
 
 /* Adds friction and its torque: one tangential spring, whose force is its memory. The lever arm is the radius. */
-void FixPLMWall::add_friction(int i, const plm_contact *contact, const double *n, double previous_indentation,
-                              double indentation, double force, double *slot) {
+void FixPLMWall::add_friction(int i, const plm_contact *contact, const double *n, const PLM::Step &step, double *slot) {
     const double scale = scale_of(i), radius = atom->radius[i], *v = atom->v[i], *w = atom->omega[i];
     double *history = slot + FRICTION;
     // velocity of the contact point, v - w x R n, along the wall
     double slip[] = {v[0] - radius * (w[1] * n[2] - w[2] * n[1]), v[1] - radius * (w[2] * n[0] - w[0] * n[2]),
                      v[2] - radius * (w[0] * n[1] - w[1] * n[0])};
-    const auto along = [&](double *a) {
-        const double off = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
-        for (int k = 0; k < 3; k++) a[k] -= off * n[k];
-    };
-    const auto size = [](const double *a) { return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); };
-    along(slip);
-    for (double &part : slip) part *= update->dt * length_unit * scale;
-    // on a curved region the normal turns: the friction turns with it
-    const double old = size(history);
-    along(history);
-    const double left = size(history);
-    if (left > 0.0)
-        for (int k = 0; k < 3; k++) history[k] *= old / left;
-
+    PLM::project(slip, n, false);
+    for (double &part : slip) part *= update->dt * units.length * scale;
     // the setup of a run has no step before it
-    if (!update->setupflag && plm_contact_friction(contact, friction, previous_indentation, indentation, force,
-                                                   slot + MEMORY, slip, history) != 0)
+    if (!update->setupflag && !PLM::update_friction(contact, friction, n, step, slip, history))
         error->one(FLERR, "Fix plm/wall: the friction on sphere {} is not finite: is the timestep too long?",
                    atom->tag[i]);
     double *f = atom->f[i], *torque = atom->torque[i], t[3];
     for (int k = 0; k < 3; k++) {
-        t[k] = history[k] / (scale * scale) / force_unit;
+        t[k] = history[k] / (scale * scale) / units.force;
         f[k] += t[k];
+        load[k] -= t[k];
     }
     torque[0] -= radius * (n[1] * t[2] - n[2] * t[1]);
     torque[1] -= radius * (n[2] * t[0] - n[0] * t[2]);
@@ -376,7 +313,7 @@ void FixPLMWall::add_friction(int i, const plm_contact *contact, const double *n
 double FixPLMWall::scale_of(int i) const { return laws[atom->type[i]].radius / atom->radius[i]; }
 
 /* Divides an energy of the scenario's contact, to get the energy of a sphere of another radius in units of LAMMPS. */
-double FixPLMWall::energy_scale(double scale) const { return scale * scale * scale * force_unit * length_unit; }
+double FixPLMWall::energy_scale(double scale) const { return scale * scale * scale * units.force * units.length; }
 
 /* The sphere has left the surface: its plastic work is kept, and the next contact is a fresh one. */
 void FixPLMWall::end_contact(int i, double *slot) {
@@ -386,12 +323,12 @@ void FixPLMWall::end_contact(int i, double *slot) {
     std::fill_n(slot, slot_size, 0.0);
 }
 
-/* Energy stored in the contacts, and plastic work of the dents. */
+/* Energy stored in the contacts, and plastic work of the dents; then the force on the wall. */
 double FixPLMWall::compute_scalar() { return compute_vector(0) + compute_vector(1); }
 
 double FixPLMWall::compute_vector(int k) {
-    double energy = 0.0, all;
-    for (int i = 0; i < atom->nlocal; i++) {
+    double energy = k >= 2 ? load[k - 2] : 0.0, all;
+    for (int i = 0; i < atom->nlocal && k < 2; i++) {
         if (!(atom->mask[i] & groupbit)) continue;
         if (k == 1) energy += state[i][PLASTIC];
         for (int w = 0; w < walls && k == 0; w++) {

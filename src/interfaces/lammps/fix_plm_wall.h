@@ -5,7 +5,7 @@
 #define LMP_FIX_PLM_WALL_H
 
 #include "fix.h"
-#include "plm_impact.h"
+#include "plm_common.h"
 
 #include <map>
 #include <string>
@@ -37,15 +37,16 @@ class FixPLMWall : public Fix {
     int maxsize_restart() override;
 
   private:
-    void update_contact(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new);
-    void add_friction(int i, const plm_contact *contact, const double *n, double previous_indentation,
-                      double indentation, double force, double *slot);
+    void update_contact(int i, const double *normal, double distance, double *slot, bool is_new);
+    void add_friction(int i, const plm_contact *contact, const double *n, const PLM::Step &step, double *slot);
     void end_contact(int i, double *slot);
     void advise();
     double scale_of(int i) const;
     double energy_scale(double scale) const;
 
-    double height;     // height of the plane
+    int axis;          // direction of the normal of the plane: 0, 1 or 2
+    double side;       // 1 for spheres above the plane, -1 below
+    double height;     // position of the plane along its normal
     char *region_name; // id of the region whose surface is the wall; null for a plane
     class Region *region;
     int walls;                             // largest number of contacts of one sphere at the same time
@@ -59,10 +60,11 @@ class FixPLMWall : public Fix {
         double validated_indentation; // its indentation up to which the data behind the law reach, in metres
         double fingerprint;           // of the contact, for restart files
     };
-    std::vector<Law> laws;                                // the law of every atom type
-    double length_unit, force_unit, mass_unit, time_unit; // units of LAMMPS, in SI units
+    std::vector<Law> laws; // the law of every atom type
+    PLM::Units units;
+    PLM::Advice advice;
+    double load[3];                     // force on the wall, of the spheres of this rank
     double **state;                     // per sphere: dent depth, plastic work, that of ended contacts, slots
-    bool is_advised;                    // whether the time step was reported
     bool is_curved, is_deep, is_inside; // what was warned of: a curved region, a dent beyond the data, a start inside
 };
 

@@ -1,30 +1,25 @@
-//! A contact of two bodies, and one of its impacts.
+//! A contact of two bodies.
 
 use std::borrow::Cow;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
-use std::sync::{Mutex, OnceLock};
+use std::sync::Mutex;
 
-use pyo3::exceptions::{PyAttributeError, PyOverflowError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict, PyList};
+use pyo3::types::PyDict;
 
 use super::cases::{self, KeyValues, PyContact, SPEED};
-use super::convert::{Numbers, Reduced, exception, from_json, html, source_of, warn, with_overrides};
-use super::force::force;
-use super::table::table_of_csv;
+use super::convert::{Numbers, Reduced, exception, html, source_of, warn, with_overrides};
+use super::force::{Rubbing, energy, force, friction, stiffness};
+use super::impact::PyImpact;
 use crate::error::Error;
 use crate::impact;
-use crate::report::pictures;
 use crate::report::run::{no_result_error, rate_dependent_contact, warning_texts};
 use crate::report::text::overview::overview;
-use crate::report::text::{Detail, impact_text, trace_csv};
-use crate::results::impact::{SingleImpact, impact_results};
-use crate::results::{TABLES, to_fields};
 use crate::scenario::keys::interval::expected_notes;
+use crate::scenario::keys::key;
 use crate::scenario::keys::quantity::SAMPLES;
-use crate::scenario::keys::{RestitutionInterval, key, restitution_interval, strength_notes};
 use crate::scenario::{Kind, Scenario, ScenarioSource};
-use crate::strings::did_you_mean;
 
 /// The name of the contact in messages.
 const NAME: &str = "Contact";
@@ -72,13 +67,13 @@ impl PyContact {
     }
 
     /// The contact with the strength of an impact at this speed; `None` where it does not depend on the speed.
-    fn at_rate_of(&self, speed: f64) -> Result<Option<impact::Contact>, Error> {
+    pub(super) fn at_rate_of(&self, speed: f64) -> Result<Option<impact::Contact>, Error> {
         let normal = self.input.approach_at(speed).normal;
         let own = self.inner.has_rate().then(|| self.inner.at_speed(normal)).transpose();
         own.map_err(|reason| no_result_error(&self.scenario, &reason))
     }
 
-    fn compute_impact(
+    pub(super) fn compute_impact(
         &self,
         own: Option<&impact::Contact>,
         speed: f64,
@@ -155,6 +150,17 @@ impl PyContact {
     ///         memory[height >= 0] = 0                         # has left: the next contact is a fresh one
     ///         speed += 0.5 * dt * (force / mass - 9.81)
     ///
+    /// Two balls are a scenario with half_space = dict(radius=..., mass="ball", density=..., ...). Their overlap is the
+    /// indentation, and their relative motion has the reduced mass. From the first touch to the last:
+    ///
+    ///     overlap, speed, dt = 0.0, 3.0, 1e-7                 # of the two balls: m, m/s of the approach, s
+    ///     force, memory = balls.force(overlap)
+    ///     while overlap >= 0:
+    ///         speed -= 0.5 * dt * force / balls.reduced_mass_kg
+    ///         overlap += dt * speed
+    ///         force, memory = balls.force(overlap, memory)
+    ///         speed -= 0.5 * dt * force / balls.reduced_mass_kg
+    ///
     /// An indentation or a memory that is not finite, and a memory that no path of this contact leads to, raise ValueError.
     #[pyo3(signature = (indentation, memory=None))]
     fn force<'py>(
@@ -162,7 +168,59 @@ impl PyContact {
         indentation: &Bound<'py, PyAny>,
         memory: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
-        force(self.at_own_rate()?.as_ref(), indentation, memory)
+        Ok(force(self.at_own_rate()?.as_ref(), indentation, memory)?.into())
+    }
+
+    /// The energy that is stored in the contacts, which unloading gives back, and the plastic work of their dents (J). The
+    /// memories are those that `force` returned at these indentations.
+    fn energy<'py>(
+        &self,
+        indentation: &Bound<'py, PyAny>,
+        memory: &Bound<'py, PyAny>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        Ok(energy(self.at_own_rate()?.as_ref(), indentation, memory)?.into())
+    }
+
+    /// The tangent stiffness dF/d(indentation) (N/m): of the unloading branch up to the largest indentation so far, and of
+    /// the loading curve beyond it.
+    #[pyo3(signature = (indentation, memory=None))]
+    fn stiffness<'py>(
+        &self,
+        indentation: &Bound<'py, PyAny>,
+        memory: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        stiffness(self.at_own_rate()?.as_ref(), indentation, memory)
+    }
+
+    /// The friction on the sphere (N) after a time step, by one tangential spring and Coulomb's limit, as
+    /// mindlin_rescale/force of LAMMPS. It is the `history` of the next step, and has three numbers for each contact. Call it
+    /// after `force` returned `memory` at `indentation`. `previous_indentation` is that of the last step, 0 in the first;
+    /// `slip` is the way of the contact point along the surface in this step (m), three numbers too. The torque about the centre
+    /// is that of this force at the contact point.
+    #[pyo3(signature = (coefficient, previous_indentation, indentation, memory, slip, history=None))]
+    fn friction<'py>(
+        &self,
+        coefficient: f64,
+        previous_indentation: &Bound<'py, PyAny>,
+        indentation: &Bound<'py, PyAny>,
+        memory: &Bound<'py, PyAny>,
+        slip: &Bound<'py, PyAny>,
+        history: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let rubbing = Rubbing { previous_indentation, indentation, slip };
+        friction(self.at_own_rate()?.as_ref(), coefficient, &rubbing, memory, history)
+    }
+
+    /// Mass of the sphere (kg).
+    #[getter]
+    fn mass_kg(&self) -> f64 {
+        self.inner.mass()
+    }
+
+    /// Mass of the relative motion (kg): m1 m2/(m1 + m2) if the half-space is free to move, and else the mass of the sphere.
+    #[getter]
+    fn reduced_mass_kg(&self) -> f64 {
+        self.inner.reduced_mass()
     }
 
     /// Impact speed above which the half-space yields (m/s); `None` if it cannot yield.
@@ -233,157 +291,6 @@ fn whole_number(value: &Bound<'_, PyAny>) -> PyResult<i64> {
 }
 
 #[allow(clippy::needless_pass_by_value)] // for map_err
-fn json_error(error: serde_json::Error) -> PyErr {
+pub(super) fn json_error(error: serde_json::Error) -> PyErr {
     PyValueError::new_err(error.to_string())
-}
-
-/// One impact. Its results are attributes with the names of `summary.json`: `impact.restitution`,
-/// `impact.contact_time_s`, `impact.energy` (a dict). `dir(impact)` lists them. A result without a value is `None`; one that
-/// this contact does not have raises AttributeError. `impact.trace` is the trace, computed when it is asked for. A pickled
-/// impact is computed again when it is read.
-#[pyclass(frozen, name = "Impact", module = "plm_impact")]
-#[derive(Debug)]
-pub struct PyImpact {
-    contact: Py<PyContact>,
-    /// The speed that it was asked for (m/s).
-    speed: f64,
-    result: impact::Impact,
-    /// The contact with the strength of this impact, where that depends on the speed.
-    own: Option<impact::Contact>,
-    samples: Option<usize>,
-    /// The interval of e. It is computed when the first result is asked for, and then serves all results.
-    interval: OnceLock<Option<RestitutionInterval>>,
-    /// Notes for the user on the strength and on the exponent behind e.
-    notes: Vec<String>,
-    /// The impact with a trace, if `result` has none; and the trace as an array. Each is computed when it is asked for first.
-    traced: OnceLock<impact::Impact>,
-    trace: OnceLock<Py<PyAny>>,
-}
-
-impl PyImpact {
-    fn compute(py: Python<'_>, contact: Py<PyContact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
-        let holder = contact.get();
-        let computed = || -> Result<_, Error> {
-            let own = holder.at_rate_of(speed)?;
-            Ok((holder.compute_impact(own.as_ref(), speed, samples)?, own))
-        };
-        let (result, own) = py.detach(computed).map_err(exception)?;
-        let notes = strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), result.row.has_dent(), &[]);
-        Ok(Self {
-            contact,
-            speed,
-            result,
-            own,
-            samples,
-            interval: OnceLock::new(),
-            notes,
-            traced: OnceLock::new(),
-            trace: OnceLock::new(),
-        })
-    }
-
-    fn single_impact(&self) -> SingleImpact<'_> {
-        let contact = self.contact.get();
-        let own = self.own.as_ref().unwrap_or(&contact.inner);
-        let interval = || restitution_interval(&contact.input, own, self.speed, &self.result.row);
-        let interval = self.interval.get_or_init(interval).as_ref();
-        let drop_height = contact.input.drop_height();
-        SingleImpact { contact: own, impact: &self.result, interval, notes: &self.notes, drop_height }
-    }
-
-    /// The impact with a trace. If it has none, it is computed again with a trace.
-    fn impact_with_trace(&self) -> PyResult<&impact::Impact> {
-        if self.result.trace.is_empty() {
-            if let Some(traced) = self.traced.get() {
-                return Ok(traced);
-            }
-            let contact = self.contact.get();
-            let impact = contact.compute_impact(self.own.as_ref(), self.speed, Some(contact.input.samples()));
-            let impact = impact.map_err(exception)?;
-            return Ok(self.traced.get_or_init(|| impact));
-        }
-        Ok(&self.result)
-    }
-}
-
-#[pymethods]
-impl PyImpact {
-    fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let single = self.single_impact();
-        if let Some(result) = impact_results().iter().find(|result| result.name == name) {
-            let missing = || {
-                PyAttributeError::new_err(match result.condition {
-                    TABLES => format!("{name} is {TABLES}: plm_impact.impacts gives it"),
-                    condition => format!("{name} is there only if {condition}"),
-                })
-            };
-            return from_json(py, &(result.value)(&single).ok_or_else(missing)?);
-        }
-        let there = self.to_dict(py)?;
-        if let Some(group) = there.get_item(name)? {
-            return Ok(group);
-        }
-        let names: Vec<String> = there.keys().extract()?;
-        let hint = did_you_mean(name, names.iter().map(String::as_str), '"', "dir(impact) lists all");
-        Err(PyAttributeError::new_err(format!("an impact has no result \"{name}\"{hint}")))
-    }
-
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Py<PyContact>, f64, Option<usize>)> {
-        let Self { contact, speed, samples, .. } = slf.get();
-        Ok((slf.get_type().getattr("_from_speed")?, (contact.clone_ref(slf.py()), *speed, *samples)))
-    }
-
-    #[staticmethod]
-    fn _from_speed(py: Python<'_>, contact: Py<PyContact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
-        Self::compute(py, contact, speed, samples)
-    }
-
-    fn __dir__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyList>> {
-        let names = slf.py().import("builtins")?.getattr("object")?.call_method1("__dir__", (slf,))?;
-        let names = names.cast_into::<PyList>()?;
-        for name in slf.get().to_dict(slf.py())?.keys() {
-            names.append(name)?;
-        }
-        Ok(names)
-    }
-
-    /// All results by name, as in `summary.json`.
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let value = serde_json::to_value(to_fields(&impact_results(), &self.single_impact()));
-        let value = value.map_err(json_error)?;
-        Ok(from_json(py, &value)?.cast_into::<PyDict>()?)
-    }
-
-    /// The trace: a read-only structured array with the columns of `trace.csv`.
-    #[getter]
-    fn trace<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        if let Some(array) = self.trace.get() {
-            return Ok(array.bind(py).clone());
-        }
-        let csv = py.detach(|| trace_csv(self.impact_with_trace()?).map_err(exception))?;
-        let array = table_of_csv(py, &csv)?.call_method0("to_numpy")?;
-        // every access gives the same array
-        array.call_method1("setflags", (false,))?;
-        let array = array.unbind();
-        Ok(self.trace.get_or_init(|| array).bind(py).clone())
-    }
-
-    fn __repr__(&self) -> String {
-        format!("<plm_impact.Impact>\n{}", impact_text(&self.single_impact(), Detail::Normal).trim_end())
-    }
-
-    /// The picture of the force against the indentation, as PNG.
-    #[getter]
-    fn picture<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        let picture = py.detach(|| {
-            let caption = pictures::caption::caption(&self.contact.get().input, &[]);
-            let drawn = pictures::force_indentation(self.impact_with_trace()?).map_err(exception)?;
-            Ok::<_, PyErr>(drawn.with_caption(caption).to_png().map_err(exception))
-        });
-        Ok(PyBytes::new(py, &picture??))
-    }
-
-    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        html(slf.as_any(), Some(slf.get().picture(slf.py())?))
-    }
 }

@@ -8,6 +8,7 @@ mod cases;
 mod contact;
 mod convert;
 mod force;
+mod impact;
 mod outcome;
 mod rows;
 mod table;
@@ -22,7 +23,7 @@ mod _core {
     #[pymodule_export]
     use super::{
         cases::{PyContact, numeric_keys, rows, validated},
-        contact::PyImpact,
+        impact::PyImpact,
         outcome::{calibrate, run},
         table::{Column, arrow_stream, table_of_csv},
     };

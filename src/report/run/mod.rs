@@ -56,8 +56,8 @@ pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
         ("half_space.thickness", plate.is_some(), "The simulation moves the plate itself."),
         (
             "half_space.mass",
-            input.number(key!("half_space.mass")).is_some(),
-            "The simulation has the mass of every body.",
+            input.number(key!("half_space.mass")).is_some_and(f64::is_finite),
+            "The simulation has the mass of every body. For two balls give mass = \"ball\".",
         ),
         ("impact.angle", scenario.document.contains("impact.angle"), SPHERE_MOTION_ADVICE),
         ("sphere.spin", scenario.document.contains("sphere.spin"), SPHERE_MOTION_ADVICE),
@@ -70,14 +70,15 @@ pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     Ok((input, contact.map_err(failed)?))
 }
 
-/// The contact of [`bare_contact`], with the strength at the speed of the scenario, for codes that ask for forces one after the
-/// other.
+/// Input and contact of [`bare_contact`], with the strength at the speed of the scenario, for codes that ask for forces one after
+/// the other.
 ///
 /// # Errors
 /// [`Error`] as of [`bare_contact`], and where a strength depends on a speed that the scenario does not give.
-pub fn contact_at_scenario_speed(scenario: &Scenario) -> Result<Contact, Error> {
+pub fn contact_at_scenario_speed(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     let (input, contact) = bare_contact(scenario)?;
-    rate_dependent_contact(scenario, &input, &contact).map(|own| own.unwrap_or(contact))
+    let own = rate_dependent_contact(scenario, &input, &contact)?;
+    Ok((input, own.unwrap_or(contact)))
 }
 
 /// The contact with the strength of the speed of the scenario; `None` where it does not depend on a speed.

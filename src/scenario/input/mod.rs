@@ -1,6 +1,7 @@
 //! The values of file and command line: numbers as they are given, without numbers that follow from others. Every key has its own
 //! value here, so the order in which values are set does not matter; `resolve.rs` computes the numbers that follow.
 
+pub(in crate::scenario) mod balls;
 pub(crate) mod body_material;
 pub(in crate::scenario) mod law;
 pub mod measured;

@@ -36,3 +36,19 @@ fn lammps_picture_shows_current_restitution() {
         desk.summary()["restitution"].as_f64().unwrap()
     });
 }
+
+#[test]
+fn gas_picture_shows_current_restitution() {
+    let desk = Sandbox::with("");
+    let balls = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/ball-on-ball.toml");
+    let text = fs::read_to_string(balls).unwrap();
+    // the equal balls at one speed
+    let (before, rest) = text.split_once("[sweep]").unwrap();
+    let (_, after) = rest.split_once("[law.plm]").unwrap();
+    desk.write("s.toml", format!("{before}[law.plm]{after}"));
+    check(include_str!("../../reference/gas_picture.csv"), "UPDATE=1 pytest tests/lammps", |speed| {
+        let speed = format!("impact.speed={speed}");
+        desk.run_expecting(&["run", "s.toml", "--out", "out", "--force", "--pictures", "none", "--set", &speed], 0);
+        desk.summary()["restitution"].as_f64().unwrap()
+    });
+}

@@ -1,0 +1,60 @@
+/* What fix plm/wall and pair_style plm share: units, scenarios, the tangential spring, the advice on the time step.
+   SPDX-License-Identifier: GPL-2.0-or-later */
+
+#ifndef LMP_PLM_COMMON_H
+#define LMP_PLM_COMMON_H
+
+#include "plm_impact.h"
+
+namespace LAMMPS_NS {
+
+class LAMMPS;
+
+namespace PLM {
+
+/* Units of LAMMPS, in SI units. */
+struct Units {
+    double length, mass, time, force;
+};
+
+/* The units of this simulation; an error for units without a length in metres. */
+Units units_of(LAMMPS *lmp, const char *style);
+
+/* The contact of a scenario file. An error of LAMMPS has the message of the library. */
+plm_contact *open_contact(LAMMPS *lmp, const char *style, const char *file);
+
+/* A coefficient of friction from an input script. Friction turns spheres, which need a spin. */
+double friction_of(LAMMPS *lmp, const char *style, const char *word);
+
+/* Removes the part of a vector that is normal to the surface. With keep_size it is turned and not shortened, as a force
+   that turns with the contact. */
+void project(double *vector, const double *normal, bool keep_size);
+
+/* One contact in one step, in SI units of the contact of the scenario. */
+struct Step {
+    double previous_indentation, indentation, force;
+    const double *memory;
+};
+
+/* The tangential spring. slip is the motion of the contact point along the surface in this step; history is the
+   friction, and is turned with the normal. Returns false if the friction is not finite. */
+bool update_friction(const plm_contact *contact, double coefficient, const double *normal, const Step &step,
+                     const double *slip, double *history);
+
+/* The restitution of the shortest contact and the largest loss by waves, over all ranks. */
+class Advice {
+  public:
+    /* A contact that lasts this long; e of it, and e with elastic waves or NaN. */
+    void add(double time, double restitution, double with_waves);
+    /* Reports once, on all ranks. */
+    void report(LAMMPS *lmp, const char *style);
+
+  private:
+    double shortest = 1e300, lost = 0.0, of_law = 0.0;
+    bool is_reported = false;
+};
+
+} // namespace PLM
+} // namespace LAMMPS_NS
+
+#endif
