@@ -13,6 +13,7 @@ pub mod law_error;
 pub mod laws;
 mod leeb;
 mod load_cycle;
+pub mod measured;
 pub mod oblique;
 mod pictures;
 mod quasi_static;
@@ -42,6 +43,7 @@ const SOURCES: &[ComparisonFn] = &[
     yielding::equal_balls,
     bounces::bounce_heights,
     oblique::rebounds,
+    measured::comparisons,
 ];
 
 /// All comparisons of a law with these coefficients. `progress` counts the kinds of references.

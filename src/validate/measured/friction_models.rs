@@ -1,0 +1,50 @@
+//! Models of friction beside the measured tangential speeds of two balls: this program, a rigid body, and three constants.
+
+use super::{MeasuredImpact, relative_tangential_speed};
+use crate::validate::comparison::rms;
+
+/// The deviations \[m/s\] of the tangential speed by a model, as root mean squares.
+pub(super) struct ModelDeviations {
+    pub(super) name: &'static str,
+    pub(super) all: f64,
+    /// Over the rebounds with partial slip by the program.
+    pub(super) partial_slip: f64,
+}
+
+/// The constants of a rigid body that slides or sticks: restitution, tangential restitution of sticking contacts.
+const CONSTANTS: [(&str, [f64; 2]); 2] = [
+    ("rigid body, e = 1, same μ", [1.0, 0.0]),
+    ("three constants fitted to these impacts: e 0.97, β₀ 0.44, μ 0.092", [0.97, 0.44]),
+];
+
+/// Tangential speed after of two equal solid balls without spin before, with friction μ:
+///
+/// ```text
+/// v_t' = v_t − min(μ (1 + e) v_n, (1 + β_0) v_t/j)
+/// ```
+fn rigid_speed(impact: &MeasuredImpact, [restitution, sticking]: [f64; 2]) -> f64 {
+    let MeasuredImpact { approach, contact, .. } = impact;
+    let sliding = approach.friction.unwrap_or(0.0) * (1.0 + restitution) * approach.normal;
+    approach.along - sliding.min((1.0 + sticking) * approach.along / contact.slip_factor())
+}
+
+/// The models, and the number of rebounds with partial slip.
+pub(super) fn friction_models(impacts: &[MeasuredImpact]) -> (Vec<ModelDeviations>, usize) {
+    let slips_partly = |impact: &MeasuredImpact| impact.by_law.rebound.is_some_and(|after| !after.is_sliding);
+    let of_model = |name, speed: &dyn Fn(&MeasuredImpact) -> f64| {
+        let deviation = |impact: &MeasuredImpact| {
+            (slips_partly(impact), speed(impact) - impact.row.number("relative_tangential_speed_m_per_s"))
+        };
+        let off: Vec<(bool, f64)> = impacts.iter().map(deviation).collect();
+        let partial: Vec<f64> = off.iter().filter(|(is_partial, _)| *is_partial).map(|(_, off)| *off).collect();
+        ModelDeviations {
+            name,
+            all: rms(&off.iter().map(|(_, off)| *off).collect::<Vec<_>>()),
+            partial_slip: rms(&partial),
+        }
+    };
+    let program = |impact: &MeasuredImpact| relative_tangential_speed(&impact.by_law).unwrap_or(f64::NAN);
+    let mut models = vec![of_model("Mindlin's contact, this program", &program)];
+    models.extend(CONSTANTS.map(|(name, constants)| of_model(name, &|impact| rigid_speed(impact, constants))));
+    (models, impacts.iter().filter(|impact| slips_partly(impact)).count())
+}
