@@ -3,9 +3,11 @@
 //!
 //! Comparisons with exact arithmetic and closed forms are not here: they are tests of the program.
 
+pub mod atlas;
 mod bounces;
 pub mod cases;
 pub mod comparison;
+pub mod coverage;
 pub mod dynamic;
 mod figure_10;
 mod hardening;

@@ -6,6 +6,7 @@ use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::Impact;
 use crate::reference::{RATE_IMPACTS, ReferenceRow};
+use crate::scenario::input::Input;
 use crate::scenario::{Override, Scenario};
 
 const SOURCE: &str = "explicit finite elements, src/reference/fe_rate.csv";
@@ -38,8 +39,12 @@ const QUANTITIES: [ComparedQuantity<RateCase>; 5] = [
 ];
 
 /// A row has the keys of a scenario.
+pub(super) fn input_of(row: &ReferenceRow) -> Result<Input, Error> {
+    Scenario::from_text(row.cell_text("case"), "", &Override::list(&row.keys()))?.resolve()
+}
+
 fn impact(row: &ReferenceRow, coefficients: &PlmCoefficients) -> Result<Impact, Error> {
-    let input = Scenario::from_text(row.cell_text("case"), "", &Override::list(&row.keys()))?.resolve()?;
+    let input = input_of(row)?;
     let law = LawChoice::Plm(Plm::new(coefficients, UnloadingExponent::PressureShape));
     let (sphere, half_space) = input.bodies(&law);
     Ok(input.contact_of(sphere, half_space, &law)?.closed_form(input.speed())?)

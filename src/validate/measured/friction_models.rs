@@ -1,6 +1,9 @@
 //! Models of friction beside the measured tangential speeds of two balls: this program, a rigid body, and three constants.
 
-use super::{MeasuredImpact, relative_tangential_speed};
+use super::impacts::{MeasuredImpact, RELATIVE_SPEED, impacts_of, relative_tangential_speed, sets_of_two_balls};
+use crate::contact::law::PlmCoefficients;
+use crate::error::Error;
+use crate::reference::measured::measured_sets;
 use crate::validate::comparison::rms;
 
 /// The deviations \[m/s\] of the tangential speed by a model, as root mean squares.
@@ -32,9 +35,8 @@ fn rigid_speed(impact: &MeasuredImpact, [restitution, sticking]: [f64; 2]) -> f6
 pub(super) fn friction_models(impacts: &[MeasuredImpact]) -> (Vec<ModelDeviations>, usize) {
     let slips_partly = |impact: &MeasuredImpact| impact.by_law.rebound.is_some_and(|after| !after.is_sliding);
     let of_model = |name, speed: &dyn Fn(&MeasuredImpact) -> f64| {
-        let deviation = |impact: &MeasuredImpact| {
-            (slips_partly(impact), speed(impact) - impact.row.number("relative_tangential_speed_m_per_s"))
-        };
+        let deviation =
+            |impact: &MeasuredImpact| (slips_partly(impact), speed(impact) - impact.row.number(RELATIVE_SPEED));
         let off: Vec<(bool, f64)> = impacts.iter().map(deviation).collect();
         let partial: Vec<f64> = off.iter().filter(|(is_partial, _)| *is_partial).map(|(_, off)| *off).collect();
         ModelDeviations {
@@ -47,4 +49,27 @@ pub(super) fn friction_models(impacts: &[MeasuredImpact]) -> (Vec<ModelDeviation
     let mut models = vec![of_model("Mindlin's contact, this program", &program)];
     models.extend(CONSTANTS.map(|(name, constants)| of_model(name, &|impact| rigid_speed(impact, constants))));
     (models, impacts.iter().filter(|impact| slips_partly(impact)).count())
+}
+
+/// The measured collisions of two glass balls in a dimensionless form, and the deviations of models.
+pub(in crate::validate) struct GlassBalls {
+    /// ψ_2 over ψ_1.
+    pub(in crate::validate) slips: Vec<(f64, f64)>,
+    /// Root mean squares \[m/s\] of the tangential speed, by this program, by a rigid body, and by three fitted constants.
+    pub(in crate::validate) deviations: Vec<f64>,
+}
+
+pub(in crate::validate) fn glass_balls(coefficients: &PlmCoefficients) -> Result<GlassBalls, Error> {
+    let sets = measured_sets()?;
+    let mut found = GlassBalls { slips: Vec::new(), deviations: Vec::new() };
+    for set in sets_of_two_balls(&sets) {
+        let impacts = impacts_of(set, coefficients)?;
+        for impact in &impacts {
+            let Some(after) = impact.by_law.rebound else { continue };
+            let change = impact.row.number(RELATIVE_SPEED) / impact.approach.along - 1.0;
+            found.slips.push((after.psi, after.psi * (1.0 + change * impact.contact.slip_factor())));
+        }
+        found.deviations = friction_models(&impacts).0.iter().map(|model| model.all).collect();
+    }
+    Ok(found)
 }

@@ -1,44 +1,32 @@
 //! The measured sets of `src/reference/measured`: each row is computed, and each compared column becomes a quantity.
 
 mod friction_models;
+mod impacts;
 pub mod page;
 mod sticking;
 
-use super::comparison::{Comparison, Group};
-use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
-use crate::error::Error;
-use crate::impact::{Approach, Contact, ImpactRow};
-use crate::numerics::functions::sin_cos;
-use crate::reference::measured::{MeasuredSet, measured_sets};
-use crate::reference::{ReferenceRow, damaged_table};
-use crate::results::result_columns;
-use crate::scenario::{Override, Scenario};
+pub(super) use friction_models::glass_balls;
 
-/// A measured impact, by the program.
-struct MeasuredImpact<'a> {
-    row: &'a ReferenceRow,
-    contact: Contact,
-    approach: Approach,
-    by_law: ImpactRow,
-}
+use self::impacts::{MeasuredImpact, RELATIVE_SPEED, impacts_of, relative_tangential_speed};
+use super::comparison::{Comparison, Group};
+use crate::contact::law::PlmCoefficients;
+use crate::error::Error;
+use crate::numerics::functions::sin_cos;
+use crate::reference::damaged_table;
+use crate::reference::measured::{MeasuredSet, measured_sets};
+use crate::results::result_columns;
 
 /// A quantity that is no column of a table of the program.
 type OwnQuantity = (&'static str, fn(&MeasuredImpact) -> Result<Option<f64>, Error>);
 
 const OWN_QUANTITIES: [OwnQuantity; 4] = [
     ("restitution", |impact| Ok(Some(impact.by_law.measured_restitution()))),
-    ("relative_tangential_speed_m_per_s", |impact| Ok(relative_tangential_speed(&impact.by_law))),
+    (RELATIVE_SPEED, |impact| Ok(relative_tangential_speed(&impact.by_law))),
     ("sticking_restitution", |impact| {
         Ok(sticking::sticking_restitution(&impact.contact, impact.approach)?.map(|s| s.slope))
     }),
     ("spin_of_restitution_rad_per_m", |impact| Ok(Some(spin_of_restitution(impact)))),
 ];
-
-/// Tangential speed \[m/s\] of the centre of the sphere relative to that of the other body.
-fn relative_tangential_speed(by_law: &ImpactRow) -> Option<f64> {
-    let after = by_law.rebound?;
-    Some(after.tangential_speed - after.target.map_or(0.0, |[along, _]| along))
-}
 
 /// Spin after over speed before \[rad/m\] of a sphere without spin before, from the measured restitution of the contact point: with
 /// s_0 = v_t and s_1 = −e_t s_0,
@@ -50,42 +38,6 @@ fn spin_of_restitution(MeasuredImpact { row, contact, approach, .. }: &MeasuredI
     let (sin, _) = sin_cos(approach.angle());
     let released = 1.0 + row.number("contact_point_restitution");
     (1.0 - 1.0 / contact.slip_factor()) * released * sin / contact.sphere().radius
-}
-
-/// The contact of a row and its approach; `None` for a row whose bodies are not known. Where the cell `loss` of the row is `dent`, the
-/// half-space has the strength that gives the measured restitution.
-fn contact_of(
-    set: &MeasuredSet,
-    row: &ReferenceRow,
-    coefficients: &PlmCoefficients,
-) -> Result<Option<(Contact, Approach)>, Error> {
-    let keys = set.keys(row);
-    if !keys.iter().any(|key| key.starts_with("sphere.youngs_modulus")) {
-        return Ok(None);
-    }
-    let input = Scenario::from_text(set.file, "", &Override::list(&keys))?.resolve()?;
-    let law = LawChoice::Plm(Plm::new(coefficients, UnloadingExponent::PressureShape));
-    let (sphere, mut half_space) = input.bodies(&law);
-    if row.cell_text("loss") == "dent" {
-        let wanted = row.number("restitution");
-        half_space.yield_strength = Some(sticking::strength_with_restitution(wanted, |strength| {
-            let half_space = crate::contact::body::HalfSpace { yield_strength: Some(strength), ..half_space };
-            let contact = input.contact_of(sphere, half_space, &law).ok()?;
-            Some(contact.closed_form(input.speed()).ok()?.row.measured_restitution())
-        }));
-    }
-    Ok(Some((input.contact_of(sphere, half_space, &law)?, input.approach())))
-}
-
-/// The impacts of a set by the law; a row whose bodies are not known has none.
-fn impacts_of<'a>(set: &'a MeasuredSet, coefficients: &PlmCoefficients) -> Result<Vec<MeasuredImpact<'a>>, Error> {
-    let mut impacts = Vec::new();
-    for row in &set.rows {
-        let Some((contact, approach)) = contact_of(set, row, coefficients)? else { continue };
-        let by_law = contact.impact(approach, &crate::impact::Solver::AUTO, None)?.row;
-        impacts.push(MeasuredImpact { row, contact, approach, by_law });
-    }
-    Ok(impacts)
 }
 
 /// The value of the program for a column.

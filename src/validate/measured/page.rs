@@ -1,8 +1,8 @@
 //! The section on measured sets of the page of `validate`.
 
 use super::friction_models::friction_models;
+use super::impacts::{contact_of, impacts_of, sets_of_two_balls};
 use super::sticking::sticking_restitution;
-use super::{contact_of, impacts_of};
 use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
 use crate::reference::measured::{MeasuredSet, measured_sets};
@@ -27,10 +27,7 @@ fn set_table(sets: &[MeasuredSet]) -> String {
 /// The models of friction beside the sets of two balls, and the scatter of their restitution.
 fn friction_table(sets: &[MeasuredSet], coefficients: &PlmCoefficients) -> Result<String, Error> {
     let mut text = String::new();
-    let has_speeds = |set: &&MeasuredSet| {
-        set.compared_columns().iter().any(|column| column.column == "relative_tangential_speed_m_per_s")
-    };
-    for set in sets.iter().filter(has_speeds) {
+    for set in sets_of_two_balls(sets) {
         let impacts = impacts_of(set, coefficients)?;
         let (models, partial) = friction_models(&impacts);
         let all = format!("all {}", impacts.len());

@@ -3,8 +3,6 @@
 
 use crate::error::Error;
 use crate::impact::{Approach, Contact, Solver};
-use crate::numerics::functions::{exp, ln};
-use crate::numerics::root;
 
 /// The step of ψ_1 from rebound to rebound.
 const STEP: f64 = 0.25;
@@ -39,11 +37,4 @@ pub(super) fn sticking_restitution(
         psi += STEP;
     }
     Ok(Some(StickingRestitution { slope: products / squares, largest }))
-}
-
-/// The strength \[Pa\] with this restitution, by bisection: e rises with the strength.
-pub(super) fn strength_with_restitution(wanted: f64, restitution: impl Fn(f64) -> Option<f64>) -> f64 {
-    let is_low = |strength: f64| restitution(exp(strength)).is_some_and(|e| e < wanted);
-    let (low, high) = root::bisect(ln(1e6), ln(1e11), is_low);
-    exp(0.5 * (low + high))
 }

@@ -41,7 +41,25 @@ fn validate_compares_with_every_reference() {
     let yielding = yielding.iter().filter(|row| number(row, "elements_in_contact") >= 9.0).count();
     assert_eq!(
         rows.len(),
-        3 * points + 2 * 63 + 2 * 59 + 3 * 8 + 5 * 43 + 4 * yielding + 2 * 3 + 5 * 10 + 6 + 19 + 2 * 4 + 8 + 7 + 9 + 14 + 2 * 24 + 5 + 2 * 2 + 8,
+        3 * points
+            + 2 * 63
+            + 2 * 59
+            + 3 * 8
+            + 5 * 43
+            + 4 * yielding
+            + 2 * 3
+            + 5 * 10
+            + 6
+            + 19
+            + 2 * 4
+            + 8
+            + 7
+            + 9
+            + 14
+            + 2 * 24
+            + 5
+            + 2 * 2
+            + 8,
         "no group has vanished"
     );
     for row in &rows {
