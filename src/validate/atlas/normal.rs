@@ -141,7 +141,7 @@ pub(super) fn questions(
         of_law.chain(of_elements).filter(|one| !one.points.is_empty()).collect::<Vec<_>>()
     };
     let speed = || Axis::log("Speed over that at first yield v/v_Y", "");
-    let caption = "lines: steel sphere R 5 mm on steel of 345 MPa; points: their own bodies; % rms against FE without hardening and rate";
+    let caption = "lines: steel sphere R 5 mm on steel of 345 MPa; points: their own bodies; % rms against FE";
     let question = |name, title, y, series| Question {
         name,
         title,

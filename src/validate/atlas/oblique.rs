@@ -55,8 +55,8 @@ pub(super) fn question() -> Result<Question, Error> {
     let law = |name: &str, deviation, points| AtlasSeries { deviation, ..AtlasSeries::new(Origin::Law, name, points) };
     let series = vec![
         law("Mindlin, this program", deviation(0), program),
-        law("one spring, as in LAMMPS", String::new(), spring),
-        law("rigid body", deviation(1), rigid),
+        law("one spring, as in LAMMPS", deviation(1), spring),
+        law("rigid body", deviation(2), rigid),
         AtlasSeries::new(Origin::FiniteElements, "FE: Chung and Ooi 2011", elements.collect()),
         AtlasSeries::new(Origin::Measured, "measured: alumina on glass", kharaz.collect()),
         AtlasSeries::new(Origin::Measured, "measured: two glass balls", glass.slips),

@@ -58,7 +58,8 @@ impl Question {
                 Series::points(one.label(), one.points.clone())
             };
             match one.origin {
-                Origin::Law => drawn.with_style(number),
+                // 13 colours and 7 markers: no two laws have the same of both
+                Origin::Law => drawn.with_style(Style::new(number).with_marker_of(number)),
                 Origin::FiniteElements => drawn.with_style(Style::GREY.with_marker_of(number)),
                 Origin::Measured => drawn.with_style(Style::BLACK.with_marker_of(number)),
             }

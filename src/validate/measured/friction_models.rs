@@ -1,10 +1,12 @@
-//! Models of friction beside the measured tangential speeds of two balls: this program, a rigid body, and three constants.
+//! Models of friction beside the measured tangential speeds of two balls: this program, one spring, a rigid body, and three constants.
 
 use super::impacts::{MeasuredImpact, RELATIVE_SPEED, impacts_of, relative_tangential_speed, sets_of_two_balls};
 use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
+use crate::impact::ImpactError;
 use crate::reference::measured::measured_sets;
 use crate::validate::comparison::rms;
+use crate::validate::oblique::single_spring_ratio;
 
 /// The deviations \[m/s\] of the tangential speed by a model, as root mean squares.
 pub(super) struct ModelDeviations {
@@ -31,31 +33,42 @@ fn rigid_speed(impact: &MeasuredImpact, [restitution, sticking]: [f64; 2]) -> f6
     approach.along - sliding.min((1.0 + sticking) * approach.along / contact.slip_factor())
 }
 
+/// Tangential speed after with one tangential spring, as in codes for granular media: v_t' = v_t (1 + (s_1/s_0 − 1)/j).
+fn spring_speed(impact: &MeasuredImpact) -> Result<f64, Error> {
+    let MeasuredImpact { approach, contact, by_law, .. } = impact;
+    let psi = by_law.rebound.map_or(f64::NAN, |after| after.psi);
+    let ratio = single_spring_ratio(psi, contact.chi()).map_err(ImpactError::from)?;
+    Ok(approach.along * (1.0 + (ratio - 1.0) / contact.slip_factor()))
+}
+
 /// The models, and the number of rebounds with partial slip.
-pub(super) fn friction_models(impacts: &[MeasuredImpact]) -> (Vec<ModelDeviations>, usize) {
+pub(super) fn friction_models(impacts: &[MeasuredImpact]) -> Result<(Vec<ModelDeviations>, usize), Error> {
     let slips_partly = |impact: &MeasuredImpact| impact.by_law.rebound.is_some_and(|after| !after.is_sliding);
-    let of_model = |name, speed: &dyn Fn(&MeasuredImpact) -> f64| {
+    let of_model = |name, speeds: Vec<f64>| {
         let deviation =
-            |impact: &MeasuredImpact| (slips_partly(impact), speed(impact) - impact.row.number(RELATIVE_SPEED));
-        let off: Vec<(bool, f64)> = impacts.iter().map(deviation).collect();
+            |(impact, speed): (&MeasuredImpact, f64)| (slips_partly(impact), speed - impact.row.number(RELATIVE_SPEED));
+        let off: Vec<(bool, f64)> = impacts.iter().zip(speeds).map(deviation).collect();
         let partial: Vec<f64> = off.iter().filter(|(is_partial, _)| *is_partial).map(|(_, off)| *off).collect();
-        ModelDeviations {
-            name,
-            all: rms(&off.iter().map(|(_, off)| *off).collect::<Vec<_>>()),
-            partial_slip: rms(&partial),
-        }
+        let all = rms(&off.iter().map(|(_, off)| *off).collect::<Vec<_>>());
+        ModelDeviations { name, all, partial_slip: rms(&partial) }
     };
-    let program = |impact: &MeasuredImpact| relative_tangential_speed(&impact.by_law).unwrap_or(f64::NAN);
-    let mut models = vec![of_model("Mindlin's contact, this program", &program)];
-    models.extend(CONSTANTS.map(|(name, constants)| of_model(name, &|impact| rigid_speed(impact, constants))));
-    (models, impacts.iter().filter(|impact| slips_partly(impact)).count())
+    let program = impacts.iter().map(|impact| relative_tangential_speed(&impact.by_law).unwrap_or(f64::NAN)).collect();
+    let spring = impacts.iter().map(spring_speed).collect::<Result<_, Error>>()?;
+    let mut models = vec![
+        of_model("Mindlin's contact, this program", program),
+        of_model("one spring: LAMMPS `mindlin_rescale/force`", spring),
+    ];
+    let of_constants =
+        |(name, constants)| of_model(name, impacts.iter().map(|impact| rigid_speed(impact, constants)).collect());
+    models.extend(CONSTANTS.map(of_constants));
+    Ok((models, impacts.iter().filter(|impact| slips_partly(impact)).count()))
 }
 
 /// The measured collisions of two glass balls in a dimensionless form, and the deviations of models.
 pub(in crate::validate) struct GlassBalls {
     /// ψ_2 over ψ_1.
     pub(in crate::validate) slips: Vec<(f64, f64)>,
-    /// Root mean squares \[m/s\] of the tangential speed, by this program, by a rigid body, and by three fitted constants.
+    /// Root mean squares \[m/s\] of the tangential speed, by this program, one spring, a rigid body, and by three fitted constants.
     pub(in crate::validate) deviations: Vec<f64>,
 }
 
@@ -69,7 +82,7 @@ pub(in crate::validate) fn glass_balls(coefficients: &PlmCoefficients) -> Result
             let change = impact.row.number(RELATIVE_SPEED) / impact.approach.along - 1.0;
             found.slips.push((after.psi, after.psi * (1.0 + change * impact.contact.slip_factor())));
         }
-        found.deviations = friction_models(&impacts).0.iter().map(|model| model.all).collect();
+        found.deviations = friction_models(&impacts)?.0.iter().map(|model| model.all).collect();
     }
     Ok(found)
 }

@@ -34,12 +34,13 @@ fn strength_with_restitution(wanted: f64, restitution: impl Fn(f64) -> Option<f6
     exp(0.5 * (low + high))
 }
 
-/// The contact of a row and its approach; `None` for a row whose bodies are not known. Where the cell `loss` of the row is `dent`, the
+/// The contact of a row and its approach; `None` for a row whose bodies are not known. With a dent the
 /// half-space has the strength that gives the measured restitution.
 pub(super) fn contact_of(
     set: &MeasuredSet,
     row: &ReferenceRow,
     coefficients: &PlmCoefficients,
+    has_dent: bool,
 ) -> Result<Option<(Contact, Approach)>, Error> {
     let keys = set.keys(row);
     if !keys.iter().any(|key| key.starts_with("sphere.youngs_modulus")) {
@@ -48,7 +49,7 @@ pub(super) fn contact_of(
     let input = Scenario::from_text(set.file, "", &Override::list(&keys))?.resolve()?;
     let law = LawChoice::Plm(Plm::new(coefficients, UnloadingExponent::PressureShape));
     let (sphere, mut half_space) = input.bodies(&law);
-    if row.cell_text("loss") == "dent" {
+    if has_dent {
         let wanted = row.number("restitution");
         half_space.yield_strength = Some(strength_with_restitution(wanted, |strength| {
             let half_space = HalfSpace { yield_strength: Some(strength), ..half_space };
@@ -59,6 +60,11 @@ pub(super) fn contact_of(
     Ok(Some((input.contact_of(sphere, half_space, &law)?, input.approach())))
 }
 
+/// True if the energy that the row loses is that of a dent.
+pub(super) fn loses_by_dent(row: &ReferenceRow) -> bool {
+    row.cell_text("loss") == "dent"
+}
+
 /// The impacts of a set by the law; a row whose bodies are not known has none.
 pub(super) fn impacts_of<'a>(
     set: &'a MeasuredSet,
@@ -66,7 +72,7 @@ pub(super) fn impacts_of<'a>(
 ) -> Result<Vec<MeasuredImpact<'a>>, Error> {
     let mut impacts = Vec::new();
     for row in &set.rows {
-        let Some((contact, approach)) = contact_of(set, row, coefficients)? else { continue };
+        let Some((contact, approach)) = contact_of(set, row, coefficients, loses_by_dent(row))? else { continue };
         let by_law = contact.impact(approach, &Solver::AUTO, None)?.row;
         impacts.push(MeasuredImpact { row, contact, approach, by_law });
     }

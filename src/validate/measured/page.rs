@@ -1,7 +1,7 @@
 //! The section on measured sets of the page of `validate`.
 
 use super::friction_models::friction_models;
-use super::impacts::{contact_of, impacts_of, sets_of_two_balls};
+use super::impacts::{contact_of, impacts_of, loses_by_dent, sets_of_two_balls};
 use super::sticking::sticking_restitution;
 use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
@@ -29,7 +29,7 @@ fn friction_table(sets: &[MeasuredSet], coefficients: &PlmCoefficients) -> Resul
     let mut text = String::new();
     for set in sets_of_two_balls(sets) {
         let impacts = impacts_of(set, coefficients)?;
-        let (models, partial) = friction_models(&impacts);
+        let (models, partial) = friction_models(&impacts)?;
         let all = format!("all {}", impacts.len());
         let mut rows =
             vec![row(["rms deviation of the tangential speed, m/s", &all, &format!("{partial} with partial slip")])];
@@ -52,21 +52,26 @@ fn friction_table(sets: &[MeasuredSet], coefficients: &PlmCoefficients) -> Resul
 
 /// β_0 of each pair, measured and by the program.
 fn sticking_table(sets: &[MeasuredSet], coefficients: &PlmCoefficients) -> Result<String, Error> {
-    let mut rows = vec![row(["pair", "loss", "β₀ measured", "slope", "largest", "overlap"])];
+    let mut rows = vec![row(["pair", "computed loss", "β₀ measured", "slope", "largest", "overlap"])];
     for set in sets {
         for one in set.rows.iter().filter(|one| one.optional_number("sticking_restitution").is_some()) {
-            let Some((contact, approach)) = contact_of(set, one, coefficients)? else { continue };
-            let Some(found) = sticking_restitution(&contact, approach)? else { continue };
-            let [measured, spread] = ["sticking_restitution", "sticking_restitution_pm"].map(|name| one.number(name));
-            let overlaps = measured - spread <= found.largest && found.slope <= measured + spread;
-            rows.push(row([
-                one.cell_text("case"),
-                if one.cell_text("loss") == "dent" { "dent" } else { "none" },
-                &format!("{measured:.2} ± {spread:.2}"),
-                &format!("{:.2}", found.slope),
-                &format!("{:.2}", found.largest),
-                if overlaps { "yes" } else { "no" },
-            ]));
+            // a pair with a dent is computed without one too
+            let losses: &[bool] = if loses_by_dent(one) { &[true, false] } else { &[false] };
+            for has_dent in losses {
+                let Some((contact, approach)) = contact_of(set, one, coefficients, *has_dent)? else { continue };
+                let Some(found) = sticking_restitution(&contact, approach)? else { continue };
+                let [measured, spread] =
+                    ["sticking_restitution", "sticking_restitution_pm"].map(|name| one.number(name));
+                let overlaps = measured - spread <= found.largest && found.slope <= measured + spread;
+                rows.push(row([
+                    one.cell_text("case"),
+                    if *has_dent { "dent" } else { "none" },
+                    &format!("{measured:.2} ± {spread:.2}"),
+                    &format!("{:.3}", found.slope),
+                    &format!("{:.3}", found.largest),
+                    if overlaps { "yes" } else { "no" },
+                ]));
+            }
         }
     }
     Ok(markdown_table(&rows))
