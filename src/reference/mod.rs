@@ -5,6 +5,7 @@
 
 pub mod hardening;
 pub mod loading;
+pub mod measured;
 pub mod quasi_static;
 
 use std::collections::BTreeMap;

@@ -39,7 +39,7 @@ const QUANTITIES: [ComparedQuantity<DynamicCase>; 8] = [
 /// Number of samples in the traces that pictures are drawn from.
 const SAMPLES: usize = 300;
 
-const SCENARIOS: [(&str, &str); 3] = [
+pub(super) const SCENARIOS: [(&str, &str); 3] = [
     ("D1", include_str!("../../scenarios/dynamic-fe-d1.toml")),
     ("D2", include_str!("../../scenarios/dynamic-fe-d2.toml")),
     ("D5", include_str!("../../scenarios/dynamic-fe-d5.toml")),

@@ -3,9 +3,11 @@
 //!
 //! Comparisons with exact arithmetic and closed forms are not here: they are tests of the program.
 
+pub mod atlas;
 mod bounces;
 pub mod cases;
 pub mod comparison;
+pub mod coverage;
 pub mod dynamic;
 mod figure_10;
 mod hardening;
@@ -13,6 +15,7 @@ pub mod law_error;
 pub mod laws;
 mod leeb;
 mod load_cycle;
+pub mod measured;
 pub mod oblique;
 mod pictures;
 mod poisson;
@@ -46,6 +49,7 @@ const SOURCES: &[ComparisonFn] = &[
     yielding::equal_balls,
     bounces::bounce_heights,
     oblique::rebounds,
+    measured::comparisons,
 ];
 
 /// All comparisons of a law with these coefficients. `progress` counts the kinds of references.

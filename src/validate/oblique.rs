@@ -1,5 +1,5 @@
 //! Oblique impacts: measured rebounds of alumina from glass, and finite elements. Both stay elastic, and nothing
-//! is fitted to them. Measured oblique rebounds from a dent are not public.
+//! is fitted to them. Single measured rebounds from a dent are not public; the set of an impact chart has constants of one pair.
 
 use super::comparison::{Comparison, Group};
 use crate::contact::body::{HalfSpace, Material, Sphere};
@@ -34,6 +34,12 @@ pub(super) fn alumina_on_glass() -> Result<Contact, Error> {
     Ok(Contact::try_new(sphere, half_space, &Plm::default())?)
 }
 
+/// The bodies of the finite elements: a rigid plane under an elastic sphere has the G*/E* of two equal bodies.
+pub(super) fn bodies_of_elements() -> Result<Contact, Error> {
+    let body = Material { youngs_modulus: 70e9, poissons_ratio: 0.3 };
+    Ok(Contact::try_new(Sphere::elastic(RADIUS, body, 2700.0), HalfSpace::flat(body, None), &Plm::default())?)
+}
+
 /// The rebound at an angle from the normal \[rad\], without spin before.
 pub(super) fn rebound(contact: &Contact, angle: f64, friction: f64) -> Result<Option<Rebound>, Error> {
     let approach = Approach::at_angle(SPEED, angle, 0.0, friction);
@@ -54,10 +60,7 @@ pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
         };
         compared.push(group.compare(format!("{angle} deg"), numbers));
     }
-    // a rigid plane under an elastic sphere has the G*/E* of two equal bodies
-    let body = Material { youngs_modulus: 70e9, poissons_ratio: 0.3 };
-    let half_space = HalfSpace::flat(body, None);
-    let equal = Contact::try_new(Sphere::elastic(RADIUS, body, 2700.0), half_space, &Plm::default())?;
+    let equal = bodies_of_elements()?;
     for row in OBLIQUE_SLIPS.rows()? {
         let before = row.number("slip_before");
         let angle = atan(FRICTION_OF_ELEMENTS * before);

@@ -6,6 +6,7 @@ use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::Impact;
 use crate::reference::{DEEP_IMPACTS, RATE_IMPACTS, ReferenceRow, ReferenceTable};
+use crate::scenario::input::Input;
 use crate::scenario::{Override, Scenario};
 
 /// An impact by finite elements, and by the law.
@@ -51,9 +52,13 @@ const fn quantities(names: QuantityNames, source: &'static str) -> [ComparedQuan
     ]
 }
 
-/// The impact of a row, which has the keys of a scenario.
+/// The input of a row, which has the keys of a scenario.
+pub(super) fn input_of(row: &ReferenceRow) -> Result<Input, Error> {
+    Scenario::from_text(row.cell_text("case"), "", &Override::list(&row.keys()))?.resolve()
+}
+
 fn impact(row: &ReferenceRow, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Result<Impact, Error> {
-    let input = Scenario::from_text(row.cell_text("case"), "", &Override::list(&row.keys()))?.resolve()?;
+    let input = input_of(row)?;
     let flow = input.law().flow_curves().map(Option::<&_>::cloned);
     let law = LawChoice::Plm(Plm { flow, ..Plm::new(coefficients, exponent) });
     let (sphere, half_space) = input.bodies(&law);

@@ -43,16 +43,26 @@ pub fn validate(arguments: &ValidateArguments) -> Result<(), Error> {
     let directory = OutputDirectory::prepare(&arguments.out, ResultOrigin::Command("validate"), arguments.force)?;
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
-    let (compared, laws, pictures) = Watch::without_files(false).watch(move |progress| {
+    let (compared, laws, pictures, atlas, sections) = Watch::without_files(false).watch(move |progress| {
         let compared = validate::comparisons(&coefficients, progress)?;
         let laws = validate::laws::law_deviations(&coefficients)?;
         let draw = || validate::pictures(&coefficients, format, progress);
-        let pictures = super::table::with_threads(None, draw)??;
-        Ok((compared, laws, pictures))
+        let mut pictures = super::table::with_threads(None, draw)??;
+        let questions = validate::atlas::questions(&coefficients, &laws)?;
+        let draw = || validate::atlas::pictures(&questions, format, progress);
+        pictures.extend(super::table::with_threads(None, draw)??);
+        let mut sections = validate::measured::page::section(&coefficients)?;
+        // the interval is known for the built-in coefficients
+        if is_built_in {
+            sections += &super::table::with_threads(None, validate::coverage::section)??;
+        }
+        sections += validate::atlas::SECTION;
+        Ok((compared, laws, pictures, validate::atlas::csv(&questions), sections))
     })?;
-    let page = with_pictures(&report::page(&compared, &laws, &name, is_built_in), format);
+    let page = with_pictures(&(report::page(&compared, &laws, &name, is_built_in) + &sections), format);
     let mut files = vec![
         OutputFile { name: "validation.csv".into(), bytes: report::csv(&compared)? },
+        OutputFile { name: "atlas.csv".into(), bytes: atlas.into_bytes() },
         OutputFile { name: "README.md".into(), bytes: page.into_bytes() },
     ];
     let count = pictures.len();
@@ -61,7 +71,10 @@ pub fn validate(arguments: &ValidateArguments) -> Result<(), Error> {
     let removed = directory.write(&files)?;
     note_replaced(&directory, &removed);
     super::terminal::print(&report::table(&compared))?;
-    super::terminal::note(format_args!("wrote validation.csv, README.md and {count} pictures to {}", out.display()));
+    super::terminal::note(format_args!(
+        "wrote validation.csv, atlas.csv, README.md and {count} pictures to {}",
+        out.display()
+    ));
     Ok(())
 }
 

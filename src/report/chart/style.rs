@@ -87,6 +87,8 @@ impl Style {
     /// Finite elements and measurements beside curves of laws: black circles.
     pub const BLACK: Self =
         Self { color: PALETTE[6], width: 3.0, dash: SOLID, mark: Marker::Circle, radius: MARKER_RADIUS };
+    /// Finite elements beside measurements: grey circles.
+    pub const GREY: Self = Self { color: GREY, ..Self::BLACK };
     /// A fitted law: a solid line in vermillion.
     pub const LAW: Self = Self { color: PALETTE[1], ..Self::BLACK };
 
@@ -99,6 +101,11 @@ impl Style {
             mark: MARKERS[(number + number / PALETTE.len()) % MARKERS.len()],
             ..Self::BLACK
         }
+    }
+
+    /// Returns the style with the marker of this number.
+    pub fn with_marker_of(self, number: usize) -> Self {
+        Self { mark: MARKERS[number % MARKERS.len()], ..self }
     }
 
     /// Returns the style with a solid line.

@@ -1,14 +1,12 @@
 //! The interval of e: the law's own part, and what is known of the strengths of materials.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
-use plm_impact::materials::{MaterialEntry, RateClass};
-use plm_impact::scenario::keys::interval::law_error::{BodyClass, EXPONENTS, LawErrorRow, law_error_table};
+use plm_impact::scenario::keys::interval::law_error::{BodyClass, EXPONENTS, law_error_table};
 use plm_impact::scenario::keys::{RestitutionInterval, restitution_interval};
-use plm_impact::validate::law_error::{CycleError, cycle_errors, law_errors_csv};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
+use plm_impact::validate::coverage::drawn_metals::drawn_metals;
+use plm_impact::validate::coverage::{self, Coverage};
+use plm_impact::validate::law_error::{cycle_errors, law_errors_csv};
 
 use crate::common::golden::assert_golden;
 use crate::common::prelude::*;
@@ -20,31 +18,13 @@ fn law_error_table_matches_finite_elements() {
     assert_golden(&path, law_errors_csv(PlmCoefficients::built_in()).unwrap());
 }
 
-/// The row of the table that serves a load cycle: of its class and contact radius, and else of all.
-fn law_error_of(name: &str, class: BodyClass, ratio: f64) -> &'static LawErrorRow {
-    let find = |class: BodyClass| {
-        law_error_table().iter().find(|row| row.class == class && row.exponent == name && ratio <= row.max_radius_ratio)
-    };
-    find(class).or_else(|| find(BodyClass::All)).unwrap_or_else(|| panic!("{name}, {}: no row", class.name()))
-}
-
 /// Over all load cycles and impacts of the finite elements, and over those of each class, the law's part holds at least 90 %.
 #[test]
 fn law_error_holds_the_finite_elements() {
-    for (exponent, name) in EXPONENTS {
-        let errors = cycle_errors(PlmCoefficients::built_in(), exponent).unwrap();
-        assert!(errors.len() > 100, "{}", errors.len());
-        let is_held = |&&(class, ratio, error): &&CycleError| {
-            let row = law_error_of(name, class, ratio);
-            // the file has five decimals
-            row.low - 1e-5 <= error && error <= row.high + 1e-5
-        };
-        for class in BodyClass::ALL {
-            let of_class: Vec<_> =
-                errors.iter().filter(|(other, ..)| class == BodyClass::All || *other == class).collect();
-            let n = of_class.iter().filter(|error| is_held(error)).count();
-            assert!(10 * n >= 9 * of_class.len() && n >= 12, "{name}, {}: {n} of {}", class.name(), of_class.len());
-        }
+    for one in coverage::load_cycles().unwrap() {
+        assert!(one.share() >= 0.9 && one.inside >= 12, "{one:?}");
+    }
+    for (_, name) in EXPONENTS {
         // an interval of e this wide still says something, and up to a/R = 0.3 the exponent of the paper is low on one side
         for row in law_error_table().iter().filter(|row| row.exponent == name) {
             assert!(row.high - row.low < 0.08 && row.low <= row.mean && row.mean <= row.high, "{row:?}");
@@ -74,64 +54,14 @@ fn drop_of(ball: &str, half_space: &str, speed: f64) -> String {
     )
 }
 
-/// Constants c of Johnson and Cook that metals of a class have: of hard steels and of 4340; of 6061-T6 to 2024-T3 and mild steel at
-/// most as 4340; of copper (Johnson and Cook 1983).
-fn rate_constants(class: RateClass) -> [f64; 2] {
-    match class {
-        RateClass::QuenchedSteel => [0.006, 0.014],
-        RateClass::MildSteelOrAluminium => [0.0, 0.015],
-        RateClass::Copper => [0.015, 0.025],
-    }
-}
-
-/// Hardness, exponent of hardening and constant of the strain rate of one piece of this metal, each drawn from what is known of it.
-fn drawn_piece(entry: &MaterialEntry, uniform: &mut impl FnMut([f64; 2]) -> f64) -> Option<String> {
-    let range = |property: Property| Some(entry.get(property)?.range.each_ref().map(|end| end.value));
-    let hardness = uniform(range(Property::Hardness)?);
-    let mut text = format!("hardness = {hardness}\n");
-    // by the finite elements behind the warning, metals that harden have exponents of 0.1 to 0.3
-    let exponents = range(Property::HardeningExponent).or(entry.lacks_exponent.then_some([0.1, 0.3]));
-    if let Some(exponents) = exponents {
-        let _ = writeln!(text, "flow_stress.power.exponent = {}", uniform(exponents));
-    }
-    if let Some(class) = entry.rate_class {
-        let _ = writeln!(text, "rate.johnson_cook.c = {}", uniform(rate_constants(class)));
-    }
-    Some(text)
-}
-
 /// Samples of every named metal have a random hardness, exponent and strain rate, and the error of the law in a random load
 /// cycle. The interval, which depends on the name alone, contains at least 90 % of their e.
 #[test]
 fn interval_contains_e_of_fully_known_pieces() {
-    let mut random = ChaCha8Rng::seed_from_u64(1);
-    let mut uniform = |[low, high]: [f64; 2]| low + (high - low) * f64::from(random.next_u32()) / f64::from(u32::MAX);
-    let errors = cycle_errors(PlmCoefficients::built_in(), UnloadingExponent::PressureShape).unwrap();
-    // the half-space yields alone, as in the load cycles of this class
-    let is_plastic = |(class, ..): &&CycleError| *class == BodyClass::PerfectlyPlastic;
-    let of_law: Vec<f64> = errors.iter().filter(is_plastic).map(|(.., error)| *error).collect();
-    let (mut n, mut held, mut worst) = (0, 0, Vec::new());
-    for entry in all_materials().iter().filter(|entry| entry.is_metal() && !entry.creeps) {
-        let (mut of_metal, mut held_of_metal) = (0, 0);
-        for speed in [0.3, 1.0, 3.0, 5.0] {
-            let text = drop_of("steel-52100-hardened", &entry.name, speed);
-            let Some((interval, ..)) = interval_of(&input_of(&text)) else { continue };
-            for _ in 0..120 {
-                let Some(piece) = drawn_piece(entry, &mut uniform) else { continue };
-                let input = input_of(&(text.clone() + &piece));
-                let Ok(contact) = input.contact() else { continue };
-                let Ok(row) = contact.row(input.approach(), &Solver::AUTO) else { continue };
-                let error = of_law[of_metal % of_law.len()];
-                let e = (row.measured_restitution() / (1.0 + error)).min(1.0);
-                of_metal += 1;
-                held_of_metal += usize::from((interval.low..=interval.high).contains(&e));
-            }
-        }
-        (n, held) = (n + of_metal, held + held_of_metal);
-        worst.push((held_of_metal as f64 / of_metal as f64, entry.name.as_str(), of_metal));
-    }
-    worst.sort_by(|one, other| one.0.total_cmp(&other.0));
-    assert!(n > 5000 && 10 * held >= 9 * n, "{held} of {n}: {worst:?}");
+    let metals = drawn_metals().unwrap();
+    let sum = |of: fn(&Coverage) -> usize| metals.iter().map(of).sum::<usize>();
+    let (n, held) = (sum(|metal| metal.values), sum(|metal| metal.inside));
+    assert!(n > 5000 && 10 * held >= 9 * n, "{held} of {n}: {metals:?}");
 }
 
 /// By warnings that report by how much e is off, the e that they call likely.

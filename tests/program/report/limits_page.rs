@@ -74,7 +74,11 @@ fn rows() -> Vec<[String; 3]> {
             at_most(MAX_UNEQUAL_BALLS_RATIO),
             "warns: e has an additional error",
         ),
-        row("contact time over 2 R/c, the time of a longitudinal wave through the ball and back", at_least(MIN_TRANSITS), "warns: e is too high"),
+        row(
+            "contact time over 2 R/c, the time of a longitudinal wave through the ball and back",
+            at_least(MIN_TRANSITS),
+            "warns: e is too high",
+        ),
         row(
             "impact speed over sticking speed",
             at_least(ADHESION_RANGE),

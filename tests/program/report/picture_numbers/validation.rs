@@ -195,10 +195,54 @@ fn rebounds() -> Vec<Shown> {
     ]
 }
 
+/// ψ over slip speed over μ v_n: 4 G*/E*, with the moduli and Poisson's ratios of two bodies.
+fn psi_factor(bodies: [[f64; 2]; 2]) -> f64 {
+    let shear: f64 = bodies.iter().map(|[e, nu]| 2.0 * (1.0 + nu) * (2.0 - nu) / e).sum();
+    let normal: f64 = bodies.iter().map(|[e, nu]| (1.0 - nu * nu) / e).sum();
+    4.0 * normal / shear
+}
+
+/// The measured slips of the atlas, from their files, and a law over the speed.
+fn atlas() -> Vec<Shown> {
+    let chart = "question::chart";
+    let glass = |_: &Sandbox| -> Points {
+        let factor = psi_factor([[70e9, 0.22]; 2]) / 0.092;
+        let collision = |row: &TableRow| {
+            let angle = row["impact.angle"].trim_end_matches(" deg").parse::<f64>().unwrap().to_radians();
+            let normal = cell(row, "impact.speed") * angle.cos();
+            (factor * angle.tan(), factor * cell(row, "slip_after_m_per_s") / normal)
+        };
+        records::<TableRow>(include_str!("../../../../src/reference/measured/foerster_1994.csv"))
+            .iter()
+            .map(collision)
+            .collect()
+    };
+    let alumina = |desk: &Sandbox| -> Points {
+        let factor = psi_factor([[380e9, 0.23], [70e9, 0.25]]) / 0.092;
+        let rebound = |row: &TableRow| {
+            let psi = factor * cell(row, "angle_deg").to_radians().tan();
+            (psi, psi * (1.0 + 3.5 * (cell(row, "value") - 1.0)))
+        };
+        table(desk, "kharaz", &[("quantity", "tangential_restitution")]).iter().map(rebound).collect()
+    };
+    let law = |question: &'static str, color| {
+        let rows = move |desk: &Sandbox| -> Points {
+            let rows = table(desk, "atlas", &[("question", question), ("series", "plm, pressure-shape")]);
+            rows.iter().map(|row| (cell(row, "x"), cell(row, "y"))).collect()
+        };
+        shown(chart, if question == "dent" { "atlas-dent" } else { "atlas-restitution" }, 0, Through(color), rows)
+    };
+    vec![
+        shown(chart, "atlas-oblique", 0, Marks(BLACK), move |desk| [glass(desk), alumina(desk)].concat()),
+        law("restitution", BLUE),
+        law("dent", BLUE),
+    ]
+}
+
 pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
     let desk = Sandbox::with("");
     desk.run_expecting(&["validate", "--out", "out", "--pictures", "svg"], 0);
-    let shown = [load_cycles(), unloadings(), impacts(), metals(), rebounds(), errors_by_radius()]
+    let shown = [load_cycles(), unloadings(), impacts(), metals(), rebounds(), errors_by_radius(), atlas()]
         .into_iter()
         .flatten()
         .collect();
