@@ -20,21 +20,26 @@ pub struct FrictionStep {
 }
 
 impl Contact {
-    /// Radius of the contact \[m\] for the friction, after [`Contact::force`] gave this memory. During loading it is the radius of
-    /// Hertz with the force and the elastic approach of the law; during unloading it is proportional to the stiffness.
-    fn friction_radius(&self, indentation: f64, memory: &Memory) -> f64 {
+    /// Radii of the contact \[m\] for the friction at these indentations, after [`Contact::force`] gave this memory. During loading a
+    /// radius is that of Hertz with the force and the elastic approach of the law; during unloading it is proportional to the
+    /// stiffness.
+    fn friction_radii<const N: usize>(&self, indentations: [f64; N], memory: &Memory) -> [f64; N] {
         let Self { scales, law, .. } = self;
         let Some(peak) = memory.to_state(scales.units.length, scales.units.force) else {
             // an elastic contact follows Hertz
-            return (self.pair().radius * indentation.max(0.0)).sqrt();
+            return indentations.map(|indentation| (self.pair().radius * indentation.max(0.0)).sqrt());
         };
-        let recovered = indentation / scales.units.length - peak.residual();
-        let friction_radius = if recovered >= peak.elastic_approach {
-            peak.force / peak.elastic_approach
-        } else {
-            law.unload(peak).radius_ratio(recovered)
-        };
-        scales.units.contact_radius * friction_radius
+        let at_peak = peak.force / peak.elastic_approach;
+        let recovered = indentations.map(|indentation| indentation / scales.units.length - peak.residual());
+        let is_at_peak = |recovered: f64| recovered >= peak.elastic_approach;
+        if recovered.into_iter().all(is_at_peak) {
+            return [scales.units.contact_radius * at_peak; N];
+        }
+        let unloading = law.unload(peak);
+        recovered.map(|recovered| {
+            scales.units.contact_radius
+                * if is_at_peak(recovered) { at_peak } else { unloading.radius_ratio(recovered) }
+        })
     }
 
     /// Friction on the sphere \[N\], which is also the history of the contact; zero for a fresh one.
@@ -53,9 +58,14 @@ impl Contact {
         if !numbers.into_iter().all(f64::is_finite) || coefficient < 0.0 || !memory.is_valid_at(rub.indentation) {
             return false;
         }
-        let [old, radius] =
-            [rub.previous_indentation, rub.indentation].map(|indentation| self.friction_radius(indentation, memory));
-        let share = if radius < old { radius / old } else { 1.0 };
+        // the radius rises with the indentation
+        let (radius, share) = if rub.indentation < rub.previous_indentation {
+            let [old, radius] = self.friction_radii([rub.previous_indentation, rub.indentation], memory);
+            (radius, if radius < old { radius / old } else { 1.0 })
+        } else {
+            let [radius] = self.friction_radii([rub.indentation], memory);
+            (radius, 1.0)
+        };
         let stiffness = 8.0 * self.shear_ratio() * self.pair().effective_modulus * radius;
         let (mut after, mut sum) = (*history, 0.0);
         for (force, slip) in after.iter_mut().zip(rub.slip) {

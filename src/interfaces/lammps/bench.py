@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Measures what a contact of pair_style plm costs, beside pair_style granular: python src/interfaces/lammps/bench.py [SCENARIO].
 
-Spheres of one size fill a periodic box, so that each touches six others, and move a little. Both styles run one after the other,
-several times, and the best time of each counts. It needs the plug-in, which `lmp` of this Python must find: see build.py.
+Two cases: spheres of one size that each touch six others and move a little, and a gas in which few touch. The styles run one after the
+other, several times, and the best time of each counts, as time of a core. It needs the plug-in, which `lmp` of this Python must find: see build.py.
 """
 
 from __future__ import annotations
@@ -15,7 +15,9 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-SIDE, STEPS, REPEATS = 20, 400, 3
+SIDE, STEPS, REPEATS = 16, 400, 5
+# spacing of the spheres of 10 mm (m), their speed (m/s), the part of LAMMPS that counts
+CASES = {"six contacts of every sphere": (0.00999, 0.1, "Pair"), "a gas, whole run": (0.0125, 1.0, "Loop")}
 MATERIAL = "hertz/material 210e9 0 0.3 tangential mindlin_rescale/force NULL 0 0.3 damping velocity"
 INPUT = """units si
 atom_style sphere
@@ -42,31 +44,33 @@ STYLES = {
 }
 
 
-def nanoseconds(lines: str, folder: Path) -> float:
-    """Time of the pair style for one contact and one step."""
-    # 0.1 % of overlap; some 0.1 m/s
+def nanoseconds(lines: str, case: str, folder: Path) -> float:
+    """Time of a core for one sphere and one step."""
+    spacing, speed, part = CASES[case]
     mass, boltzmann = 7850 * 4 / 3 * 3.14159 * 5e-3**3, 1.380649e-23
-    temperature = mass * 0.1**2 / 3 / boltzmann
-    text = INPUT.format(spacing=0.00999, side=SIDE, seed=4711, temperature=temperature, lines=lines, steps=STEPS)
+    temperature = mass * speed**2 / boltzmann
     script = folder / "bench.in"
+    text = INPUT.format(spacing=spacing, side=SIDE, seed=4711, temperature=temperature, lines=lines, steps=STEPS)
     script.write_text(text)
     command = [Path(sys.executable).parent / "lmp", "-log", "none", "-in", script]
-    output = subprocess.run(command, capture_output=True, text=True)
-    times = re.findall(r"^Pair +\| +([-+.e\d]+)", output.stdout, re.M)
+    output = subprocess.run(command, capture_output=True, text=True).stdout
+    pattern = r"^Pair +\| +([-+.e\d]+)" if part == "Pair" else r"^Loop time of ([-+.e\d]+)"
+    times, shares = re.findall(pattern, output, re.M), re.findall(r"^([\d.]+)% CPU use", output, re.M)
     if not times:
-        sys.exit(output.stdout + output.stderr)
-    return float(times[-1]) / (3 * SIDE**3 * STEPS) * 1e9
+        sys.exit(output)
+    return float(times[-1]) * min(float(shares[-1]) / 100, 1.0) / (SIDE**3 * STEPS) * 1e9
 
 
 def main() -> None:
     scenario = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "scenarios" / "steel-on-steel.toml").resolve()
-    best = dict.fromkeys(STYLES, float("inf"))
-    with tempfile.TemporaryDirectory() as folder:
-        for _ in range(REPEATS):
-            for name, lines in STYLES.items():
-                best[name] = min(best[name], nanoseconds(lines.format(scenario=scenario), Path(folder)))
-    for name, time in best.items():
-        print(f"{name:24} {time:6.0f} ns per contact and step, {time / best['granular']:.2f} times granular")
+    for case in CASES:
+        best = dict.fromkeys(STYLES, float("inf"))
+        with tempfile.TemporaryDirectory() as folder:
+            for _ in range(REPEATS):
+                for name, lines in STYLES.items():
+                    best[name] = min(best[name], nanoseconds(lines.format(scenario=scenario), case, Path(folder)))
+        for name, time in best.items():
+            print(f"{case}: {name:24} {time:6.0f} ns per sphere and step, {time / best['granular']:.2f} times granular")
 
 
 if __name__ == "__main__":

@@ -61,11 +61,11 @@ double PLM::friction_of(LAMMPS *lmp, const char *style, const char *word) {
 }
 
 void PLM::project(double *vector, const double *normal, bool keep_size) {
-    const double old = size_of(vector);
+    const double old = keep_size ? size_of(vector) : 0.0;
     const double off = vector[0] * normal[0] + vector[1] * normal[1] + vector[2] * normal[2];
     for (int k = 0; k < 3; k++) vector[k] -= off * normal[k];
-    const double left = size_of(vector);
-    if (keep_size && left > 0.0)
+    const double left = keep_size ? size_of(vector) : 0.0;
+    if (left > 0.0)
         for (int k = 0; k < 3; k++) vector[k] *= old / left;
 }
 
