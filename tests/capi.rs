@@ -248,7 +248,7 @@ fn c_program_prints_bits_of_library() {
         "half_space.mass=\"ball\"",
         "half_space.density=7850",
     ]
-    .map(|text| text.into());
+    .map(Into::into);
     let balls = Scenario::load(&scenario, &balls).unwrap().resolve().unwrap().contact().unwrap();
     let of_balls = hex_words(&[balls.closed_form(1.0).unwrap().row.restitution]);
     // the messages of the bad scenarios that the program tried, in its order

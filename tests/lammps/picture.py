@@ -60,7 +60,7 @@ def draw(plugin: Path) -> None:
 
 
 GAS_RADIUS, GAS_SIDE, GAS_CELL, GAS_SPEED = 5e-3, 6, 0.0135, 1.0
-GAS_STEP, GAS_STEPS, GAS_EVERY = 5e-7, 120_000, 500
+GAS_STEP, GAS_STEPS, GAS_EVERY = 6e-7, 400_000, 1000
 
 
 def two_steel_balls() -> plm.Contact:
@@ -95,8 +95,8 @@ def cooling(plugin: Path, folder: Path, style: str, coeff: str, last: str = "") 
 
 def draw_gas(plugin: Path) -> None:
     mass = DENSITY * 4 / 3 * np.pi * GAS_RADIUS**3
-    # the mean normal speed of collisions in a gas of this speed in each direction is sqrt(pi) times that
-    typical = np.sqrt(np.pi) * GAS_SPEED
+    # the normal speed of collisions in a gas of this speed in each direction, averaged over the energy that they lose
+    typical = 1.5 * np.sqrt(np.pi) * GAS_SPEED
     impact = two_steel_balls().impact(typical)
     constant, duration = impact.restitution, impact.contact_time_s
     stiffness = mass / 2 * (np.pi**2 + np.log(constant) ** 2) / duration**2

@@ -165,7 +165,9 @@ half_space = { youngs_modulus = 2.1e11, poissons_ratio = 0.3, yield_strength = 3
             let balls = plm_contact_between(alike, 5e-3, 5e-3);
             let mut restitution = 0.0;
             plm_contact_time(balls, 1.0, &raw mut restitution);
-            [given, alike, balls].into_iter().for_each(|contact| plm_contact_free(contact));
+            for contact in [given, alike, balls] {
+                plm_contact_free(contact);
+            }
             restitution
         });
         // two equal balls are one on a rigid wall at half the speed
