@@ -14,7 +14,7 @@
 use super::{ReferenceRow, ReferenceTable, damaged_table};
 use crate::error::Error;
 
-/// What the head of every file must state.
+/// The required fields of the head.
 pub const FIELDS: [&str; 7] = ["title", "source", "measured", "units", "spread", "body", "doubts"];
 
 /// The files of this folder with their texts.
