@@ -7,15 +7,13 @@ use std::{env, fs, io};
 fn main() -> io::Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/reference/measured");
     println!("cargo::rerun-if-changed={}", folder.display());
-    let mut names = Vec::new();
-    for entry in fs::read_dir(&folder)? {
-        let name = entry?.file_name().to_string_lossy().into_owned();
-        names.extend(Some(name).filter(|name| name.ends_with(".csv")));
-    }
-    names.sort();
+    let mut paths = fs::read_dir(&folder)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "csv"));
+    paths.sort();
     let mut list = "[\n".to_owned();
-    for name in &names {
-        let _ = writeln!(list, "({name:?}, include_str!({:?})),", folder.join(name));
+    for path in &paths {
+        let [name, path] = [path.file_name().unwrap_or_default(), path.as_os_str()].map(|text| text.to_string_lossy());
+        let _ = writeln!(list, "({name:?}, include_str!({path:?})),");
     }
     let out = env::var_os("OUT_DIR").ok_or_else(|| io::Error::other("Cargo gave no folder for the output"))?;
     fs::write(Path::new(&out).join("measured_sets.rs"), list + "]\n")

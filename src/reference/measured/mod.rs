@@ -14,7 +14,7 @@
 use super::{ReferenceRow, ReferenceTable, damaged_table};
 use crate::error::Error;
 
-/// What the head of every file must state.
+/// The required fields of the head.
 pub const FIELDS: [&str; 7] = ["title", "source", "measured", "units", "spread", "body", "doubts"];
 
 /// The files of this folder with their texts.
@@ -108,8 +108,9 @@ mod tests {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/reference/measured");
         let mut names: Vec<String> = std::fs::read_dir(folder)
             .unwrap()
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .filter(|name| name.ends_with(".csv"))
+            .map(|entry| entry.unwrap().path())
+            .filter(|path| path.extension().is_some_and(|extension| extension == "csv"))
+            .map(|path| path.file_name().unwrap().to_string_lossy().into_owned())
             .collect();
         names.sort();
         let sets = measured_sets().unwrap();

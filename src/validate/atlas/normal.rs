@@ -50,7 +50,7 @@ fn by_law(contact: &Contact, row: &ImpactRow, speed: f64) -> Result<[f64; 3], Er
     Ok([row.restitution, row.residual_indentation / row.peak_indentation, row.contact_time / time])
 }
 
-/// The points of a law at rising speeds; where a law has no answer there is none.
+/// The points of a law at rising speeds, without the speeds at which the law has no answer.
 fn law_points(law: &LawChoice) -> Result<Vec<(f64, [f64; 3])>, Error> {
     // all laws have the axis of the PLM, also those with another criterion of yield
     let yield_speed = steel(&LawChoice::Plm(Plm::default()))?.yield_speed().unwrap_or(f64::NAN);

@@ -17,7 +17,7 @@ named_enum! {
 pub struct AtlasSeries {
     pub origin: Origin,
     pub name: String,
-    /// Its root mean square deviation with its unit; empty if there is none.
+    /// Its root mean square deviation with its unit; empty without one.
     pub deviation: String,
     pub points: Vec<(f64, f64)>,
 }

@@ -1,5 +1,7 @@
 //! The section on measured sets of the page of `validate`.
 
+use std::fmt::Write as _;
+
 use super::friction_models::friction_models;
 use super::impacts::{contact_of, impacts_of, loses_by_dent, sets_of_two_balls};
 use super::sticking::sticking_restitution;
@@ -43,8 +45,9 @@ fn friction_table(sets: &[MeasuredSet], coefficients: &PlmCoefficients) -> Resul
         let squares: f64 = restitutions.iter().map(|e| (e - average) * (e - average)).sum();
         let sd = (squares / (restitutions.len() as f64 - 1.0)).sqrt();
         text += &markdown_table(&rows);
-        text += &format!(
-            "\nScatter of the experiment: the measured e is {average:.3} with a standard deviation of {sd:.3}.\n"
+        let _ = writeln!(
+            text,
+            "\nScatter of the experiment: the measured e is {average:.3} with a standard deviation of {sd:.3}."
         );
     }
     Ok(text)
