@@ -425,7 +425,7 @@ fn documented_commands_run_and_reproduce_the_gallery() {
     for page in PAGES.into_iter().filter(|page| *page != TUTORIAL) {
         for (block, shown) in commands(&read(page)) {
             let mut last = String::new();
-            if ["big.toml", "--partition-by", "pip install", "cargo rustc", "cc -I"]
+            if ["big.toml", "--partition-by", "pip install", "cargo rustc", "cc -I", "LAMMPS_PLUGIN_PATH"]
                 .iter()
                 .any(|tool| block.contains(tool))
             {

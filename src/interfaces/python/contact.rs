@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::cases::{self, KeyValues, PyContact, SPEED};
-use super::convert::{Numbers, Reduced, exception, html, source_of, warn, with_overrides};
+use super::convert::{Numbers, Reduced, exception, html, json_error, source_of, warn, with_overrides};
 use super::force::{Rubbing, energy, force, friction, stiffness};
 use super::impact::PyImpact;
 use crate::error::Error;
@@ -288,9 +288,4 @@ fn whole_number(value: &Bound<'_, PyAny>) -> PyResult<i64> {
     let number = value.extract::<i64>();
     let is_too_large = |error: &PyErr| error.is_instance_of::<PyOverflowError>(value.py());
     if number.as_ref().is_err_and(is_too_large) { Ok(i64::MAX) } else { number }
-}
-
-#[allow(clippy::needless_pass_by_value)] // for map_err
-pub(super) fn json_error(error: serde_json::Error) -> PyErr {
-    PyValueError::new_err(error.to_string())
 }

@@ -134,3 +134,8 @@ pub fn warn(py: Python<'_>, level: i32, warnings: &[String]) -> PyResult<()> {
     let text = CString::new(warnings.join("\n").replace('\0', " "))?;
     PyErr::warn(py, MODEL_WARNING.import(py, "plm_impact", "ModelWarning")?, &text, level)
 }
+
+#[allow(clippy::needless_pass_by_value)] // for map_err
+pub(super) fn json_error(error: serde_json::Error) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}

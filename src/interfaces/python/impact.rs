@@ -7,8 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 
 use super::cases::PyContact;
-use super::contact::json_error;
-use super::convert::{Reduced, exception, from_json, html};
+use super::convert::{Reduced, exception, from_json, html, json_error};
 use super::table::table_of_csv;
 use crate::error::Error;
 use crate::impact;
