@@ -78,8 +78,8 @@ fn curve(scenario: &Scenario, format: PictureFormat) -> Result<Option<Value>, Er
     let drawn = pictures(&plan, &Tally::new(&plan)).into_iter().next();
     drawn
         .map(|(_, mut chart)| {
-            let point = Series::points("this impact", vec![(at, impact.restitution)]).with_style(Style::BLACK);
-            let point = point.with_note(format!("e = {}", format_four_digits(impact.restitution)));
+            let point = Series::points("this impact", vec![(at, impact.row.restitution)]).with_style(Style::BLACK);
+            let point = point.with_note(format!("e = {}", format_four_digits(impact.row.restitution)));
             chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
             "Restitution of the same bodies".clone_into(&mut chart.title);
             let mut files: Vec<OutputFile> = format.to_file("restitution", &chart)?.into_iter().collect();
