@@ -105,7 +105,9 @@ def draw_gas(plugin: Path) -> None:
         write_gas(folder / "gas.data", GAS_SIDE, GAS_SPEED, (GAS_RADIUS,) * 3, GAS_CELL)
         dump = f"write_dump all custom {folder}/last id x y z f_energy[1] modify sort id"
         time, ours = cooling(plugin, folder, "plm", f"* * {STEEL}", dump)
-        spring = f"* * hooke {float(stiffness)!r} {constant!r} damping coeff_restitution tangential linear_nohistory 0 0"
+        spring = (
+            f"* * hooke {float(stiffness)!r} {constant!r} damping coeff_restitution tangential linear_nohistory 0 0"
+        )
         _, theirs = cooling(plugin, folder, "granular", spring)
         spheres = table(folder / "last")
     # Haff (1983) with the collision rate of Enskog: dT/dt = -(1 - e^2) rate T/3

@@ -35,7 +35,7 @@ def plm(kappa, a_over_r, c=mpf(1)):
     """The law of a half-space that yields alone, with c = C(0.3)/C(nu)."""
     t = [log(x / FORCE["from"][0]) / log(FORCE["from"][-1] / FORCE["from"][0]) for x in FORCE["from"]]
     slopes = [
-        (s + k * kappa**2) * c ** min(1, POISSON["force"] * (1 + kappa**2) * t ** 2)
+        (s + k * kappa**2) * c ** min(1, POISSON["force"] * (1 + kappa**2) * t**2)
         for s, k, t in zip(FORCE["slope"], FORCE["slope_kappa_squared"], t)
     ]
     shallow, line = loading(FORCE["from"], slopes), elastic_line(kappa, a_over_r, c ** POISSON["approach"])
