@@ -46,12 +46,7 @@ fn the_header_is_that_of_the_source() {
         usize_is_size_t: true,
         ..cbindgen::Config::default()
     };
-    let made = cbindgen::Builder::new()
-        .with_src(source)
-        .with_src(root().join("src/interfaces/c/balls.rs"))
-        .with_config(config)
-        .generate()
-        .unwrap();
+    let made = cbindgen::Builder::new().with_src(source).with_config(config).generate().unwrap();
     let mut text = Vec::new();
     made.write(&mut text);
     // the Markdown of Rust means nothing in C

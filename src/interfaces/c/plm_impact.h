@@ -266,64 +266,6 @@ double plm_contact_time_of_mass(const struct plm_contact *contact,
                                 double speed,
                                 double *restitution);
 
-/**
- * The contact of two balls with the bodies and the law of contact: the sphere with sphere_radius [m], and the half-space as
- * a ball with half_space_radius [m]. Scaling by the effective radius is not this law: two balls of 5 and 3 mm differ from a
- * scaled sphere on a flat half-space by 0.2 to 3.5 % in e. But the law scales with both radii at once, as for plm_contact_force.
- *
- * Returns NULL if contact is NULL, or if there is no contact with these radii. Free the contact with plm_contact_free.
- *
- * What the caller promises:
- * contact is NULL or not yet freed.
- */
-struct plm_contact *plm_contact_between(const struct plm_contact *contact,
-                                        double sphere_radius,
-                                        double half_space_radius);
-
-/**
- * The contact of two bodies of one material, such as spheres of one kind: where one body of contact has no yield strength, it
- * has that of the other. With one strength alone the other body stays elastic, and e is several per cent too high.
- *
- * Returns NULL if the bodies have different elastic constants or different strengths, or a flow curve, and writes the reason into
- * error: at most length bytes with the final zero. Free the contact with plm_contact_free.
- *
- * What the caller promises:
- * contact is NULL or not yet freed; error is NULL or has length bytes.
- */
-struct plm_contact *plm_contact_of_one_material(const struct plm_contact *contact,
-                                                char *error,
-                                                size_t length);
-
-/**
- * Mass [kg] of the relative motion: m1 m2/(m1 + m2) for two balls, and the mass of the sphere on a fixed half-space.
- *
- * What the caller promises:
- * contact is NULL or not yet freed.
- */
-double plm_contact_reduced_mass(const struct plm_contact *contact);
-
-/**
- * Contact time [s] of the whole impact at a speed [m/s], of two balls at their closing speed; NaN if there is no result. Writes
- * the coefficient of restitution into restitution if that is not NULL.
- *
- * What the caller promises:
- * contact is NULL or not yet freed; restitution is NULL or points to a double.
- */
-double plm_contact_time(const struct plm_contact *contact,
-                        double speed,
-                        double *restitution);
-
-/**
- * plm_contact_time with a given mass of the relative motion [kg], such as that of two spheres of a simulation.
- *
- * What the caller promises:
- * As plm_contact_time.
- */
-double plm_contact_time_of_mass(const struct plm_contact *contact,
-                                double reduced_mass,
-                                double speed,
-                                double *restitution);
-
 #ifdef __cplusplus
 }
 #endif
