@@ -35,7 +35,7 @@ impl Contact {
 
     /// The impact at a speed. On a spot with a dent, the units are the units of the yield point. Under gravity the speed may be 0: the
     /// sphere is released at rest.
-    #[inline]
+    #[inline(always)]
     pub(super) fn scaled_impact<'a>(
         &'a self,
         dent: Option<&'a LoadingHistory>,
