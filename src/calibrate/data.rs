@@ -9,7 +9,7 @@
 //!   `drop_height` are the keys of `[impact]`;
 //! * `indentation` or `force` of an indentation curve, point after point. The order of the points shows loading and
 //!   unloading;
-//! * `bounce_interval`: the time from this first touch to the next. The speed or drop height of the next line may then be empty:
+//! * `bounce_interval`: the time from this first contact to the next. The speed or drop height of the next line may then be empty:
 //!   it follows from the interval;
 //! * `note`, which is ignored.
 //!

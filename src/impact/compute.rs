@@ -97,7 +97,7 @@ impl Contact {
     }
 
     /// Computes one impact at a speed \[m/s\], or an [`Approach`]; with `samples`, with a trace of that many evenly
-    /// spaced rows (first touch and separation among them) and a row for every other event.
+    /// spaced rows (first contact and separation among them) and a row for every other event.
     ///
     /// # Errors
     /// [`ImpactError`] if the result leaves double precision or the integrator fails.

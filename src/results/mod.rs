@@ -1,6 +1,6 @@
 //! The registry of results: every number and word that the program reports, once. Summaries, the columns of tables and
 //! traces, the terminal and the reference page come from it. Here are the results of one impact, which tables have as
-//! columns; those of the other kinds of scene stand beside their texts, in `report`.
+//! columns, and of a series. The results of the other kinds of scenario stand beside their texts, in `report`.
 //!
 //! An entry of a list has these parts, in this order:
 //!

@@ -180,7 +180,7 @@ fn axes_schema() -> Value {
     schema
 }
 
-/// `calibrate.free_keys_schema`: numeric keys with ranges.
+/// `calibrate.free`: numeric keys with ranges.
 fn free_keys_schema() -> Value {
     let mut schema = varied_keys_schema(|end| {
         table_schema(&json!({ "from": end, "to": end, "scale": word_schema(&SCALES) }), &["from", "to"])

@@ -194,8 +194,8 @@ impl<'a> Evaluator<'a> {
         Self::with_contacts(plan, contacts, strides)
     }
 
-    /// An evaluator of [`Self::append_rows_with_values`] rows alone, without the contacts of a grid. `contact` is the contact of the plan, if no key
-    /// changes it.
+    /// An evaluator for [`Self::append_rows_with_values`] alone, without the contacts of a grid. `contact` is the contact of the plan, if
+    /// no key changes it.
     pub fn with_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
         let input = &plan.input;
         let law = input.law();

@@ -1,7 +1,5 @@
 //! Quantities as people write them, such as "5 mm", "210GPa", "7.85 g/cm^3": to SI and back.
 //!
-//! Beside quantities it has other text that people read and write: aligned tables, CSV, and names of options with "did you mean".
-//!
 //! This module does not depend on scenarios or mechanics. One table holds every unit. Where a unit is a power of ten of the SI
 //! unit, its exponent is added to that of the decimal text, which is then rounded to binary once: "5 mm" is the same number
 //! as 0.005.

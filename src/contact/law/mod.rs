@@ -232,8 +232,8 @@ impl Law {
         match self.rule_at(indentation) {
             UnloadingRule::Hertz => Ok(()),
             UnloadingRule::PlmRule(_) => match self.exponent_clamp(unloading) {
-                Some(ExponentClamp { requested: asked, gain, .. }) if gain > MAX_CLIPPING => {
-                    Err(LawError::Exponent { asked, ratio, gain })
+                Some(ExponentClamp { requested, gain, .. }) if gain > MAX_CLIPPING => {
+                    Err(LawError::Exponent { requested, ratio, gain })
                 }
                 _ => Ok(()),
             },

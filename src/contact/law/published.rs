@@ -170,11 +170,11 @@ pub enum LawError {
     /// An unloading exponent that would recover too much energy.
     #[error(
         "with the unloading exponent {} and a maximum indentation of {} times the yield indentation, the recovered energy would exceed the loading work by {}. Use a larger exponent, or another speed or depth.",
-        format_four_digits(*.asked), format_four_digits(*.ratio), format_percent(*.gain)
+        format_four_digits(*.requested), format_four_digits(*.ratio), format_percent(*.gain)
     )]
     Exponent {
         /// n.
-        asked: f64,
+        requested: f64,
         /// The peak indentation over the yield indentation of the law.
         ratio: f64,
         /// The recovered energy over the spent energy, minus 1.

@@ -102,11 +102,11 @@ pub struct Unloading {
     pub(super) curve: Option<UnloadingCurve>,
 }
 
-/// The exponent of a branch that recovers no more energy than loading spent. This is the requested exponent `asked`. If a branch
-/// with `asked` would recover more than the work of loading to the peak, it is the exponent that recovers just this work.
+/// The exponent of a branch that recovers no more energy than loading spent. This is the exponent `requested`. If a branch
+/// with `requested` would recover more than the work of loading to the peak, it is the exponent that recovers just this work.
 ///
 /// ```text
-/// n = asked                 where f_m ε_m ≤ w_m (asked + 1)
+/// n = requested                 where f_m ε_m ≤ w_m (requested + 1)
 ///     f_m ε_m/w_m − 1       elsewhere
 /// ```
 ///
@@ -114,10 +114,10 @@ pub struct Unloading {
 /// jumps to it. An impact warns of a larger exponent than requested. It has no answer if the requested one would recover over
 /// 5 % more than was spent ([`Law::check`](super::Law::check)). A code that computes the force alone always gets an exponent.
 #[inline(always)]
-pub(crate) fn allowed_exponent(spent: f64, peak: &ContactState, asked: f64) -> f64 {
+pub(crate) fn allowed_exponent(spent: f64, peak: &ContactState, requested: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;
     // rounding alone changes no exponent; one of −1 and less would give back energy without end
-    if whole > spent * (1.0 + 0.5 * OLD_PEAK_ROUNDING) * (asked + 1.0) { whole / spent - 1.0 } else { asked }
+    if whole > spent * (1.0 + 0.5 * OLD_PEAK_ROUNDING) * (requested + 1.0) { whole / spent - 1.0 } else { requested }
 }
 
 /// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform

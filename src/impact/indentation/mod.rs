@@ -202,7 +202,7 @@ impl StaticContact {
         self.law.is_spring()
     }
 
-    /// Goes through the steps from first touch on; with `samples` ≥ 2, with a trace of that many evenly spaced rows a step
+    /// Goes through the steps from first contact on; with `samples` ≥ 2, with a trace of that many evenly spaced rows a step
     /// and one more at every change of branch.
     ///
     /// # Errors

@@ -7,7 +7,7 @@
 //! event.
 //!
 //! A sphere that the recovered work cannot lift out of its dent is captured: e = 0, and there is no contact time. Without
-//! damping this is so where F_m ≤ (n + 1) m g. A sphere let go at first touch is always captured, because it has no kinetic
+//! damping this is so where F_m ≤ (n + 1) m g. A sphere let go at first contact is always captured, because it has no kinetic
 //! energy; it has no restitution.
 //!
 //! Under gravity alone peak and rebound follow from the energy ([`crate::impact::solve::closed_form`]). In other cases the energy balance

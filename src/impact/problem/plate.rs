@@ -143,8 +143,8 @@ impl ContactPlate {
         2.0 * (self.wave_speed * self.plate.thickness / 12.0_f64.sqrt() * time).sqrt()
     }
 
-    /// The plate in the units of an impact at `speed` \[m/s\] with Hertz's stiffness K. `undamped_contact_time` is the contact time \[s\]
-    /// without a plate.
+    /// The plate in the units of an impact at `speed` \[m/s\] with Hertz's stiffness K. `free_time` is the contact time \[s\] without a
+    /// plate.
     pub(in crate::impact) fn to_scaled(
         self,
         speed: f64,

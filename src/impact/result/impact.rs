@@ -165,11 +165,11 @@ impl Impact {
         let ImpactRow { restitution, kinetic_in, peak_contact_radius, .. } = row;
         let pair = contact.pair();
         let peak = &outcome.unloading.peak;
-        let ledger = EnergyBalance::new(contact, case, outcome);
-        let mut trace: Vec<TraceRow> = points.iter().map(|point| ledger.row(point)).collect();
+        let balance = EnergyBalance::new(contact, case, outcome);
+        let mut trace: Vec<TraceRow> = points.iter().map(|point| balance.row(point)).collect();
         let rows = trace.iter().map(|row| row.energy_balance_error);
         let balance_error = rows
-            .chain([ledger.error_at_peak(), ledger.error_at_end()])
+            .chain([balance.error_at_peak(), balance.error_at_end()])
             .fold(0.0, |worst, d: f64| nan_max(worst, d.abs()));
         if !balance_error.is_finite() {
             // from the first row of the trace on, or from the end
@@ -184,7 +184,7 @@ impl Impact {
         let radius_ratio = dent.unloading_radius_ratio();
         let energy = scales.units.energy();
         let has_forces = !contact.forces().is_none();
-        let forces_result = has_forces.then(|| ForcesResult::new(contact, case, outcome, &row, &ledger));
+        let forces_result = has_forces.then(|| ForcesResult::new(contact, case, outcome, &row, &balance));
         Ok(Self {
             speed,
             method,
@@ -209,7 +209,7 @@ impl Impact {
                 recovered: kinetic_in * row.recovered_fraction(),
                 plastic: pair.yield_point.map(|_| ground.plastic_work(&outcome.unloading) * energy),
                 balance_error,
-                error_at_end: ledger.error_at_end(),
+                error_at_end: balance.error_at_end(),
             },
             stats: *work,
             accuracy: Accuracy::from_outcomes(outcome, exact),

@@ -182,7 +182,7 @@ impl ImpactRow {
         self.flat_depth > 0.0
     }
 
-    /// The imprint of the impact: `deepest_state`, `flat`, or `deepest_state and flat`.
+    /// The imprint of the impact: `dent`, `flat`, or `dent and flat`.
     pub fn imprint_name(&self) -> &'static str {
         imprint_name(self.flat_depth / self.residual_indentation)
     }

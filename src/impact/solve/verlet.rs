@@ -163,7 +163,7 @@ struct VerletMotion<'a> {
 }
 
 impl<'a> VerletMotion<'a> {
-    /// At first touch.
+    /// At first contact.
     fn new(ground: Surface<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
         let state = MotionState { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
         let (contact, weight) = (FixedStepContact::new(ground, forces.damping), forces.weight);
@@ -275,7 +275,7 @@ pub(crate) fn integrate_fixed_steps(
             end_speed: state.speed,
             loss: state.loss / FORCE_FACTOR,
         };
-        // one evaluation a step, and one at first touch
+        // one evaluation a step, and one at first contact
         let work = SolverStats { steps: n, rejected: 0, force_evaluations: n + 1 };
         let separation_time = separates.then_some(time);
         let fixed_steps = Some(FixedSteps { step, compression_time: peak.time, separation_time });

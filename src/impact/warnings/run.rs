@@ -46,7 +46,7 @@ const MAX_TOLERANCES_OF_BALANCE: f64 = 1000.0;
 const MAX_TOLERANCES: f64 = 100.0;
 
 /// The warning of a run that is further from the closed form than its tolerance allows or, without a closed form, of one
-/// that has lost energy. Damping is not smooth at first touch, which costs the methods of `ode_solvers` up to three digits.
+/// that has lost energy. Damping is not smooth at first contact, which costs the methods of `ode_solvers` up to three digits.
 pub(super) fn run_warning(impact: &Impact, &Solver { method, tolerance, .. }: &Solver) -> Option<Warning> {
     let balance_error = impact.energy.balance_error;
     let error = nan_max(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);

@@ -1,5 +1,4 @@
-//! The contact law for C, C++, Fortran and other languages: it computes a force from an indentation and a memory
-//! (feature `capi`).
+//! The contact law for C, C++, Fortran and other languages (feature `capi`): a force from an indentation and a memory.
 //!
 //! ```text
 //! cargo rustc --release --lib --features capi --crate-type staticlib    # or cdylib
@@ -99,11 +98,11 @@ pub unsafe extern "C" fn plm_contact_open(path: *const c_char, error: *mut c_cha
 /// Frees a contact; NULL is allowed.
 ///
 /// # Safety
-/// `contact` comes from `plm_contact_from_toml` or `plm_contact_open`, and is not used afterwards.
+/// `contact` is NULL or comes from a function that returns a contact, is not yet freed, and is not used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_free(contact: *mut plm_contact) {
     if !contact.is_null() {
-        // SAFETY: made by Box::into_raw in `new`, and the caller does not use it afterwards
+        // SAFETY: made by Box::into_raw, and the caller does not use it afterwards
         catch_panic((), || drop(unsafe { Box::from_raw(contact) }));
     }
 }
@@ -385,7 +384,7 @@ unsafe fn new(
     unsafe { hand_over(made, error, length) }
 }
 
-/// A contact that belongs to the caller; NULL and the message in `error` if there is none.
+/// Gives the contact to the caller; returns NULL and the message in `error` if there is no contact.
 ///
 /// # Safety
 /// `error` is NULL or has `length` bytes.

@@ -58,7 +58,7 @@ struct plm_contact *plm_contact_open(const char *path,
  * Frees a contact; NULL is allowed.
  *
  * What the caller promises:
- * contact comes from plm_contact_from_toml or plm_contact_open, and is not used afterwards.
+ * contact is NULL or comes from a function that returns a contact, is not yet freed, and is not used afterwards.
  */
 void plm_contact_free(struct plm_contact *contact);
 

@@ -1,6 +1,6 @@
 //! The Python module `plm_impact` (feature `python`): it does what the command does, with arrays as input and output.
 //!
-//! Keys, units, ranges and explanations come from the registries of [`crate::scenario::key_specs`]. What Python does shorter is written in
+//! Keys, units, ranges and explanations come from the registries of [`crate::scenario::keys`]. What Python does shorter is written in
 //! Python: `plm_impact/_convert.py` makes the TOML text of a scenario from a dict, `plm_impact/_results.py` has tables and
 //! outcomes. Long computations run on threads of the module; meanwhile the interpreter is free, and Ctrl-C stops them.
 

@@ -58,7 +58,7 @@ fn table_outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, E
     table::summarise(scenario, &plan, &tally, options, Some(table))
 }
 
-/// The picture in this format, and its points as CSV; `None` for a sphere that is released at first touch.
+/// The picture in this format, and its points as CSV; `None` for a sphere that is released at first contact.
 fn curve(scenario: &Scenario, format: PictureFormat) -> Result<Option<Value>, Error> {
     let (input, _, impact) = impact::compute(scenario, None)?;
     let (key, at) = match input.number(key!("impact.drop_height")) {

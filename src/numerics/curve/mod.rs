@@ -165,7 +165,7 @@ impl LoadingCurve {
         self.pieces[index].indentation_at_force(force)
     }
 
-    /// Work from first touch to x.
+    /// Work from first contact to x.
     pub fn work(&self, x: f64) -> f64 {
         self.pieces[self.index_at(x)].work_at(x)
     }

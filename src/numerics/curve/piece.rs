@@ -80,7 +80,7 @@ pub struct Piece {
     pub start: f64,
     /// f(x_i).
     pub force: f64,
-    /// w(x_i), the work from first touch to here.
+    /// w(x_i), the work from first contact to here.
     pub work: f64,
     /// True if the formula of the piece before continues here, so that the start is no knot of the law.
     pub is_subdivision: bool,
@@ -135,13 +135,13 @@ impl Piece {
         }
     }
 
-    /// Work from first touch to x.
+    /// Work from first contact to x.
     #[inline]
     pub fn work_at(&self, x: f64) -> f64 {
         self.work_at_distance(x - self.start)
     }
 
-    /// Work from first touch to a distance from the start of the piece.
+    /// Work from first contact to a distance from the start of the piece.
     #[inline]
     pub fn work_at_distance(&self, distance: f64) -> f64 {
         match &self.shape {

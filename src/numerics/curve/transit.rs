@@ -114,7 +114,7 @@ impl TransitKnot {
 pub(crate) struct Transit {
     pub piece: usize,
     pub work: f64,
-    /// The time since first touch.
+    /// The time since first contact.
     pub time: f64,
 }
 

@@ -101,7 +101,7 @@ impl DampedStepper {
                 h = self.reject_step(h * pace.max(0.2), &node, &rates)?;
                 continue;
             }
-            match leg.take(piece, [&node, &next.node], || next.dense_output(piece, &node, h)) {
+            match leg.judge_step(piece, [&node, &next.node], || next.dense_output(piece, &node, h)) {
                 StepOutcome::Overshoots { share } => h *= share,
                 StepOutcome::TurnsFalsely => {
                     self.work.rejected += 1;

@@ -348,7 +348,7 @@ mod tests {
             node
         };
         let exact = end(400);
-        // the ledger: kinetic + potential + loss
+        // the energy balance: kinetic + potential + loss
         let [y, u, time, loss] = exact;
         approx::assert_relative_eq!(0.5 * u * u + 0.25 * powi(y, 4) + loss, 0.5, max_relative = 1e-14);
         approx::assert_relative_eq!(time, 6.0, max_relative = 1e-14);

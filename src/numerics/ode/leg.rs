@@ -7,7 +7,7 @@ use crate::numerics::power::{nan_max, power};
 /// A state on the way along a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionState {
-    /// Time since first touch.
+    /// Time since first contact.
     pub time: f64,
     /// d, from the zero of a power law, or from the start of any other piece.
     pub distance: f64,

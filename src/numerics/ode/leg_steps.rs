@@ -66,8 +66,8 @@ impl<'a> LegSteps<'a> {
         self.repeats > 0
     }
 
-    /// Takes the step between these nodes, whose dense output is `solve`.
-    pub fn take<P: DampedEquation>(
+    /// Searches the step between these nodes for events, and says how to continue. `solve` gives its dense output.
+    pub fn judge_step<P: DampedEquation>(
         &mut self,
         motion: P,
         [from, to]: [&DampedState; 2],

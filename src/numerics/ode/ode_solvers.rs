@@ -182,7 +182,7 @@ impl Integrator for OdeSolvers {
             let time = again.take().or_else(|| time_to_end(path, &from));
             for to in self.nodes(path, from, time)?.into_iter().skip(1) {
                 let length = to[2] - from[2];
-                match leg.take(motion, [&from, &to], || dense_output_between(path, &from, &to)) {
+                match leg.judge_step(motion, [&from, &to], || dense_output_between(path, &from, &to)) {
                     StepOutcome::Continues => from = to,
                     StepOutcome::Ends(result) => return Ok(result),
                     StepOutcome::Overshoots { share } => again = Some(share * length),

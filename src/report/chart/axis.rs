@@ -24,7 +24,7 @@ impl AxisScale {
         if self == Self::Log { ln(value) } else { value }
     }
 
-    /// The inverse of [`Self::scaled`].
+    /// The inverse of [`Self::transform`].
     pub(in crate::report) fn inverse(self, scaled: f64) -> f64 {
         if self == Self::Log { exp(scaled) } else { scaled }
     }

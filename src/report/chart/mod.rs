@@ -1,5 +1,11 @@
 //! The one form of every picture: boxes one above the other with a common horizontal axis, series and guides in them, a
-//! title, and a key or a colour bar beside them.
+//! title, and a key or a colour bar beside them. Pictures are PNG or SVG, drawn in memory with a built-in font, with the same bytes on
+//! every machine.
+//!
+//! The crate plotters draws lines, areas and texts. Axes, clipping and the key are laid out here, because the charts of plotters move
+//! points outside the axes to the edge, which bends the lines (plotters issues 429 and 622). They also have no key outside the axes, and
+//! no dash patterns of two lengths. Series differ by colour (the palette of Okabe and Ito, made for colour-blind readers), by dash
+//! pattern and by marker.
 
 pub mod axis;
 pub(in crate::report) mod format;
@@ -140,7 +146,7 @@ impl Chart {
     }
 
     /// Returns the picture with entries of the key, in grey, for what the dashes of all colours mean: the first name is that
-    /// of solid lines, the second of dashed ones ([`Style::branch`]).
+    /// of solid lines, the second of dashed ones ([`Style::with_line_of_branch`]).
     pub fn with_branches(self, names: &[&str]) -> Self {
         let entry = |(which, name): (usize, &&str)| {
             Series::line(*name, Vec::new()).with_style(Style::line(GREY, 3.0).with_line_of_branch(which))

@@ -1,11 +1,4 @@
-//! Pictures of results as PNG or SVG, with the same bytes on every machine. They are drawn in memory with a built-in
-//! font.
-//!
-//! Nothing here computes physics. Every picture is data, a [`Chart`](super::chart::Chart), and the crate plotters draws its lines, areas and
-//! texts. Axes, clipping and the key are laid out here, because the charts of plotters do not serve: they move points
-//! outside the axes to the edge, which bends the lines (plotters issues 429 and 622), they have no key outside the
-//! axes, and no dash patterns of two lengths. Series differ by colour (the palette of Okabe and Ito, made for
-//! colour-blind readers), by dash pattern and by marker.
+//! The pictures of each kind of scenario: which results they show, as a [`Chart`](super::chart::Chart).
 
 pub mod calibrate;
 pub mod caption;

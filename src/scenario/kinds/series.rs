@@ -1,4 +1,4 @@
-//! `[series]`: bouncing under gravity, or repeated shots without it.
+//! `[repeat]`: bouncing under gravity, or repeated shots without it.
 
 use crate::error::Error;
 use crate::impact::series::{ImpactSeries, MAX_IMPACTS, SeriesMode, SpotMode};
@@ -27,7 +27,7 @@ impl Scenario {
         }
     }
 
-    /// The series of `[series]`; `first` is the input of the first impact.
+    /// The series of `[repeat]`; `first` is the input of the first impact.
     pub fn series(&self, first: &Input) -> Result<ImpactSeries, Error> {
         let input = &self.input;
         let refuse = |key: &str, message: &str| Err(self.document.refusal(key, message));

@@ -181,7 +181,7 @@ impl SweepAxis {
         matches!(self.word_values(), [AxisWord::Law(_) | AxisWord::Material(_), ..])
     }
 
-    /// Sets value `i` in an input. A law or a material sets other keys too; for several axes use [`super::put`].
+    /// Sets value `i` in an input. A law or a material sets other keys too; for several axes use [`super::apply_axes`].
     #[allow(clippy::cast_possible_truncation)] // lists of words are short
     pub fn apply(&self, i: u64, input: &mut Input) {
         match &self.setting {

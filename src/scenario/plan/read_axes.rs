@@ -148,7 +148,7 @@ impl RandomKeys {
     }
 }
 
-/// The keys of `calibrate.read_free_key`; empty if measurements are only compared.
+/// The keys of `calibrate.free`; empty if measurements are only compared.
 pub(in crate::scenario) fn read_free_keys(node: &TomlValue, reader: &mut Reader) -> Result<Vec<FreeKey>, ValueError> {
     let DeValue::Table(keys) = node.get_ref() else { return Err(ValueError::wrong_type(node, FREE_KEY_EXAMPLE)) };
     if keys.len() > 2 {

@@ -1,4 +1,4 @@
-//! Which keys may stand together.
+//! Which keys may stand together, and which have no effect.
 
 pub(in crate::scenario) mod combinations;
 pub mod effect;

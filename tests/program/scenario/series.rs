@@ -1,4 +1,4 @@
-//! `[series]`: what is read, and what is written.
+//! `[repeat]`: what is read, and what is written.
 
 use crate::common::prelude::*;
 

@@ -66,7 +66,7 @@ impl DeferredCurve {
         deep.unwrap_or_else(|| self.force(x))
     }
 
-    /// Work from first touch to x.
+    /// Work from first contact to x.
     pub fn work(&self, x: f64) -> f64 {
         if self.is_shallow(x) { self.shallow.work(x) } else { (**self).work(x) }
     }

@@ -4,11 +4,11 @@
 //! y = D (min(δ/R, 0.2) − 0.035) max(0, 1 − A_fp/A)         from δ/R = 0.035 on; constant beyond δ/R = 0.2
 //! F = F_b/(1 + 0.55 y)                                     at points at most 10 % apart, straight between them
 //! ε = min(x, ε_b (1 + 1.4 (0.75 − κ) y))
-//! a = a_b/(1 + 0.14 D min(1, ν/0.1) max(0, â/R − 0.4))     a body that hardens
+//! a = a_b/(1 + 0.14 D min(1, h/0.1) max(0, â/R − 0.4))     a body that hardens
 //! ```
 //!
 //! F_b, ε_b and a_b are those of the law of shallow dents; ε_b belongs to F_b. A is that of the law without the flat of a
-//! sphere, and in units of the strength that the body has reached. ν is the local exponent of hardening. D is the fraction of the
+//! sphere, and in units of the strength that the body has reached. h is the local exponent of hardening. D is the fraction of the
 //! yielding that is in the half-space; the sphere has its own correction ([`flattening`](super::flattening)). For two balls the
 //! fraction of each is multiplied by the difference of the radii over their sum, if this ball is the larger one.
 //!
@@ -25,7 +25,7 @@ use super::hardening::geometric_points;
 use crate::contact::pair::Pair;
 use crate::numerics::curve::{Cached, LoadingCurve};
 
-/// ν from which the whole correction of the contact radius applies.
+/// h from which the whole correction of the contact radius applies.
 const FULL_HARDENING: f64 = 0.1;
 
 /// The numbers of the correction.
@@ -143,7 +143,7 @@ impl Depth {
         1.0 + self.table.recovery * (self.table.recovery_kappa - self.kappa) * y
     }
 
-    /// The factor by which the contact of a body that hardens is narrower, at A in units of first yield. `exponent` computes ν.
+    /// The factor by which the contact of a body that hardens is narrower, at A in units of first yield. `exponent` computes h.
     #[inline]
     pub(super) fn radius_factor(&self, equivalent: f64, exponent: impl FnOnce() -> f64) -> f64 {
         let beyond = equivalent * self.yield_radius_ratio - self.table.radius_from;

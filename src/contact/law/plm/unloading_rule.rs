@@ -6,8 +6,9 @@ use super::depth::Depth;
 use super::flattening::Flattening;
 use super::hardening::Hardening;
 use crate::contact::law::published::{LoadedState, Recovery, Validity};
-use crate::contact::law::unloading::LoadedPoint;
-use crate::contact::law::unloading::{ContactState, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+use crate::contact::law::unloading::{
+    ContactState, LoadedPoint, UnloadingExponent, UnloadingShape, pressure_shape_exponent,
+};
 use crate::numerics::curve::LoadingCurve;
 
 /// How the PLM unloads beyond first yield.
