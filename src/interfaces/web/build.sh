@@ -39,7 +39,7 @@ mkdir -p "$out"
 "$tool/debug/bindgen" "$build/$target/${profile/#dev/debug}/plm_impact.wasm" "$out"
 cp src/interfaces/web/page/* src/interfaces/licenses.txt "$out"
 # the documents, with the pictures and files that they show, and the source: a page without the network has them too
-for document in README.md CHANGELOG.md CONTRIBUTING.md src/README.md scenarios/*.md plots/*/*.md; do
+for document in README.md CHANGELOG.md CONTRIBUTING.md src/README.md tests/README.md scenarios/*.md plots/*/*.md; do
     from=$(dirname "$document")
     html=$out/pages/${document%.md}.html
     mkdir -p "$out/pages/$from"
