@@ -42,6 +42,14 @@ pub struct AtomicFile {
 }
 
 impl AtomicFile {
+    /// A new file with these bytes, written to the disk, and not yet at its final path.
+    pub(super) fn with_bytes(place: &Path, bytes: &[u8]) -> io::Result<Self> {
+        let mut file = Self::create(place)?;
+        file.write_all(bytes)?;
+        file.sync()?;
+        Ok(file)
+    }
+
     /// Creates a file under a random name beside its final path. Follows no link and overwrites nothing.
     pub fn create(place: &Path) -> io::Result<Self> {
         refuse_special(place)?;
@@ -92,10 +100,7 @@ impl Drop for AtomicFile {
 /// Writes a single file, complete and on the disk, or not at all. Replaces an older file and makes the folder.
 pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
     fs::create_dir_all(parent_folder(place))?;
-    let mut file = AtomicFile::create(place)?;
-    file.write_all(bytes)?;
-    file.sync()?;
-    file.persist()
+    AtomicFile::with_bytes(place, bytes)?.persist()
 }
 
 /// Writes a single file that does not exist yet: complete and on the disk, or not at all.
@@ -103,9 +108,7 @@ pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
 /// # Errors
 /// [`io::ErrorKind::AlreadyExists`] if there is one, even if another process has made it just now.
 pub fn create(place: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = AtomicFile::create(place)?;
-    file.write_all(bytes)?;
-    file.sync()?;
+    let file = AtomicFile::with_bytes(place, bytes)?;
     match fs::hard_link(&file.temporary, place) {
         // some file systems have no links
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists && !place.exists() => file.persist(),

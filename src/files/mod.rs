@@ -19,7 +19,7 @@ mod signature;
 mod unfinished;
 
 use std::fs;
-use std::io::{self, Write as _};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -278,12 +278,7 @@ impl OutputDirectory {
         let mut new = Vec::new();
         for file in files {
             let place = self.path.join(&file.name);
-            let begun = remove_stale(&place).and_then(|()| AtomicFile::create(&place));
-            let written = begun.and_then(|mut begun| {
-                begun.write_all(&file.bytes)?;
-                begun.sync()?;
-                Ok(begun)
-            });
+            let written = remove_stale(&place).and_then(|()| AtomicFile::with_bytes(&place, &file.bytes));
             new.push((file.name == SUMMARY_FILE, written.map_err(unwritable_error(&place))?));
         }
         let summary = files.iter().find(|file| file.name == SUMMARY_FILE);
