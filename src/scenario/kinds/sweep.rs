@@ -76,7 +76,9 @@ impl Scenario {
         let mut chosen = Vec::new();
         for ResultColumn { name, needs, .. } in result_columns() {
             let count = names.iter().filter(|given| *given == name).count();
-            if let (true, Some(reason)) = (count > 0, plan.column_refusal(needs)) {
+            if count > 0
+                && let Some(reason) = plan.column_refusal(needs)
+            {
                 return Err(self.document.refusal(key, format!("\"{name}\" is not available: {reason}.")));
             }
             if count > 1 {
