@@ -141,7 +141,7 @@ impl<'a> CalibrationProblem<'a> {
     fn input_at(&self, shares: &[f64]) -> Input {
         let mut input = self.template.clone();
         for (free, share) in self.free.iter().zip(shares) {
-            free.key.set(&mut input, Some(free.value_at_share(*share)));
+            input.set(free.key, Some(free.value_at_share(*share)));
         }
         input
     }
@@ -206,14 +206,14 @@ impl<'a> CalibrationProblem<'a> {
     fn set_row_keys(&self, input: &mut Input, row: usize, in_contact: f64) {
         let MeasurementRow { keys, preceding_interval: interval_before, .. } = &self.data.rows[row];
         for (key, value) in self.data.keys.iter().zip(keys) {
-            key.set(input, Some(*value));
+            input.set(*key, Some(*value));
         }
         if let Some(interval) = interval_before {
             let flying = input.free_flight().unwrap_or(FreeFlight::in_vacuum(input.drop_gravity()));
             let height = flying.rise_height(flying.take_off_speed((interval - in_contact).max(0.0)));
             for (key, _) in self.data.keys.iter().zip(keys).filter(|(_, value)| value.is_nan()) {
                 let is_height = key.path() == "impact.drop_height";
-                key.set(input, Some(if is_height { height } else { flying.landing_speed(height) }));
+                input.set(*key, Some(if is_height { height } else { flying.landing_speed(height) }));
             }
         }
     }

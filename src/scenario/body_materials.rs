@@ -8,7 +8,7 @@ use super::plan::varied::VariedKeys;
 use crate::contact::law::LawChoice;
 use crate::error::Error;
 use crate::materials::{MaterialEntry, PropertyValue};
-use crate::scenario::plan::{AxisWord, Distribution, HARDNESS, SweepAxis, Variable, YIELD_STRENGTH};
+use crate::scenario::plan::{AxisWord, Distribution, SweepAxis, Variable};
 
 impl VariedKeys {
     /// Finds the values that the bodies take from their named materials, for keys that the scenario does not give. A material that is
@@ -77,7 +77,7 @@ impl VariedKeys {
         let is_given = |path: &str| {
             let inner = format!("{path}.");
             // a calibration without free keys fits the strength
-            let is_wanted = path == YIELD_STRENGTH && has("calibrate") && self.free.is_none();
+            let is_wanted = path == Body::HalfSpace.yield_strength() && has("calibrate") && self.free.is_none();
             is_wanted || has(path) || varied.iter().any(|varied| *varied == path || varied.starts_with(&inner))
         };
         let is_used = match key.part {
@@ -122,7 +122,7 @@ impl Scenario {
     pub(super) fn refuse_mixed_classes(&self, axes: &[SweepAxis]) -> Result<(), Error> {
         let materials = axes.iter().flat_map(SweepAxis::word_values).filter_map(|word| match word {
             AxisWord::Material(choice) => {
-                choice.defaults.iter().any(|(at, _)| at.path() == HARDNESS).then_some(choice.material)
+                choice.defaults.iter().any(|(at, _)| at.path() == Body::HalfSpace.hardness()).then_some(choice.material)
             }
             _ => None,
         });

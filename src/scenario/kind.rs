@@ -59,7 +59,7 @@ impl Kind {
 impl Scenario {
     /// The kind follows from the tables.
     pub fn kind(&self) -> Result<Kind, Error> {
-        let mut given = Kind::ALL[1..].iter().filter(|kind| self.origin(kind.name()).is_given);
+        let mut given = Kind::ALL[1..].iter().filter(|kind| self.is_given(kind.name()));
         match (given.next(), given.next()) {
             (kind, None) => Ok(kind.copied().unwrap_or(Kind::Impact)),
             (first, Some(second)) => {

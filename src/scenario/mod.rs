@@ -132,7 +132,7 @@ impl Scenario {
         match self.kind() {
             Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if is_correct => 0,
             Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => REQUIRED_KEYS.len() - 1,
-            Ok(Kind::Indentation) if !self.origin("half_space").is_given => N_SPHERE_KEYS,
+            Ok(Kind::Indentation) if !self.is_given("half_space") => N_SPHERE_KEYS,
             Ok(Kind::Indentation | Kind::Calibrate) => N_BODY_KEYS,
             Err(_) => N_SPHERE_KEYS,
         }
@@ -156,9 +156,7 @@ impl Scenario {
             let (table, _) = group[0].split_once('.').unwrap_or_default();
             // a body needs more keys than the varied one, and so its table
             let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
-            if self.origin(table).is_given
-                || self.variation.paths().iter().any(|path| table == "impact" && in_table(path))
-            {
+            if self.is_given(table) || self.variation.paths().iter().any(|path| table == "impact" && in_table(path)) {
                 missing.push(self.document.missing_any_key(table, &group, ""));
             } else if !tables.contains(&table) {
                 tables.push(table);

@@ -22,13 +22,18 @@ impl Origin {
 }
 
 impl Scenario {
+    /// True if the file, an override or a material gives a key, or a key of a table.
+    pub fn is_given(&self, path: &str) -> bool {
+        let mut of_materials = self.input.materials().iter().flat_map(BodyMaterial::known_values);
+        self.document.contains(path) || of_materials.any(|(given, _)| given == path)
+    }
+
     /// The origin of a key, or of the keys of a table.
     pub fn origin(&self, path: &str) -> Origin {
         let varied = self.variation.paths();
         let is_in = |table: &str| self.document.contains(&format!("{table}.{path}"));
-        let mut of_materials = self.input.materials().iter().flat_map(BodyMaterial::known_values);
         Origin {
-            is_given: self.document.contains(path) || of_materials.any(|(given, _)| given == path),
+            is_given: self.is_given(path),
             varies: varied.contains(&path),
             has_axis: varied.iter().any(|varied| is_at_or_below(varied, path))
                 || ["sweep", "monte_carlo", "calibrate.free"].into_iter().any(is_in),

@@ -315,10 +315,10 @@ impl<'a> Evaluator<'a> {
         for case in cases {
             for (place, key) in keys.iter().enumerate() {
                 let new = Some(value(place, case, &mut rows.axis_values));
-                if key.part().changes_contact() && key.get(&input) != new {
+                if key.part().changes_contact() && input.number(*key) != new {
                     own = None;
                 }
-                key.set(&mut input, new);
+                input.set(*key, new);
             }
             let contact = match self.contacts.first().filter(|_| is_one) {
                 Some(kept) => &**kept.get_or_init(|| Box::new(row_law.contact_for(&input))),

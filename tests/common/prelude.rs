@@ -46,5 +46,5 @@ pub use super::*;
 
 /// The number that an input has for this key.
 pub fn number_of_key(input: &Input, path: &str) -> Option<f64> {
-    NumericKey::find(path).unwrap().get(input)
+    input.number(NumericKey::find(path).unwrap())
 }

@@ -110,7 +110,7 @@ fn row_of_any_two_keys_matches_run() {
             set.push("solver.method=auto".to_owned());
         }
         let input = scene(STEEL, &set);
-        let given = |key: &NumericKey| key.get(&input).filter(|value| value.is_finite() && *value != 0.0);
+        let given = |key: &NumericKey| input.number(*key).filter(|value| value.is_finite() && *value != 0.0);
         let given: Vec<(NumericKey, f64)> = NUMERIC_KEYS.iter().filter_map(|key| Some((*key, given(key)?))).collect();
         for (i, (one, first)) in given.iter().enumerate() {
             let alone =

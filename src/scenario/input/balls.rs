@@ -1,5 +1,6 @@
 //! Two balls with the bodies of a scenario, for codes that move many spheres.
 
+use super::read_input::is_at_or_below;
 use super::{Body, Input};
 use crate::contact::body::sphere_volume;
 use crate::impact::{Contact, ImpactError};
@@ -73,11 +74,7 @@ impl Input {
         }
         let mut both = self.clone();
         let [to, from] = elastic.select([["sphere.", "half_space."], ["half_space.", "sphere."]]);
-        let is_strength = |name: &str| {
-            STRENGTH_KEYS
-                .iter()
-                .any(|key| name.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('.')))
-        };
+        let is_strength = |name: &str| STRENGTH_KEYS.iter().any(|key| is_at_or_below(name, key));
         for (place, key) in ALL_KEYS.iter().enumerate() {
             let Some(name) = key.path.strip_prefix(to).filter(|name| is_strength(name)) else { continue };
             let source = ALL_KEYS.iter().position(|key| key.path.strip_prefix(from) == Some(name));

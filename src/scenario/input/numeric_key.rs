@@ -37,24 +37,12 @@ impl NumericKey {
         NUMERIC_KEYS.iter().copied().find(|key| key.path() == path)
     }
 
-    /// The number in an input, SI.
-    #[inline]
-    pub fn get(self, input: &Input) -> Option<f64> {
-        input.number(self)
-    }
-
-    /// Sets a checked number, SI; `None` removes it.
-    #[inline]
-    pub fn set(self, input: &mut Input, value: Option<f64>) {
-        input.set(self, value);
-    }
-
     /// Sets a checked number, SI, in an input, and removes the alternative of the key.
     pub fn set_exclusive(self, input: &mut Input, value: f64) {
         if let Some(other) = alternative_to(self.path()).and_then(Self::find) {
-            other.set(input, None);
+            input.set(other, None);
         }
-        self.set(input, Some(value));
+        input.set(self, Some(value));
     }
 }
 

@@ -271,7 +271,7 @@ impl Input {
         };
         let has_reference = |path: &str| {
             !path.ends_with(".reference")
-                || NumericKey::find(&path.replace("reference", "c")).is_some_and(|c| c.get(self).is_some())
+                || NumericKey::find(&path.replace("reference", "c")).is_some_and(|c| self.number(c).is_some())
         };
         input.fill_defaults(|key| match key.part {
             Part::Rate => is_raised(key.path) && has_reference(key.path),

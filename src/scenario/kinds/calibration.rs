@@ -47,7 +47,7 @@ impl Scenario {
     /// The calibration of the scenario.
     pub fn calibration_request(&self) -> Result<CalibrationRequest, Error> {
         self.refuse_columns()?;
-        if !self.origin("calibrate").is_given {
+        if !self.is_given("calibrate") {
             return Err(self.document.refusal("", NO_TABLE_TEXT));
         }
         let (mut input, _) = self.check_input(N_BODY_KEYS)?;
@@ -70,7 +70,7 @@ impl Scenario {
             return Err(self.document.refusal("calibrate.laws", message));
         }
         let mut deviations = self.input.numbers_of("calibrate.noise");
-        let is_estimated = self.origin("calibrate.noise").is_given && deviations.is_empty();
+        let is_estimated = self.is_given("calibrate.noise") && deviations.is_empty();
         deviations.retain(|(name, _)| name != "model");
         Ok(CalibrationRequest {
             source: self.measurements()?,
@@ -114,7 +114,7 @@ impl Scenario {
         let own = Some(material.youngs_modulus).filter(|modulus| modulus.is_finite());
         let modulus = own.unwrap_or(input.half_space().material.youngs_modulus);
         let strengths = STRENGTH_RANGE.map(|share| share * modulus);
-        let (path, [from, to]) = if self.origin(body.hardness()).is_given {
+        let (path, [from, to]) = if self.is_given(body.hardness()) {
             (body.hardness(), strengths.map(|strength| hardness_of_flow_stress(strength, &material)))
         } else {
             (body.yield_strength(), strengths)

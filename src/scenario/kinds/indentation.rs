@@ -79,7 +79,7 @@ impl Scenario {
     /// The half-spaces with their names. Each of several has the keys of one: those of its item in place of those of `[half_space]`.
     fn specimens(&self) -> Result<Vec<(Option<String>, Input)>, Error> {
         let refuse = |message: String| Err(self.document.refusal(SPECIMENS_KEY, message));
-        if self.origin("half_space").is_given {
+        if self.is_given("half_space") {
             return Ok(vec![(None, self.input.clone())]);
         }
         let several = self.input.table_list(SPECIMEN_LIST);
@@ -99,14 +99,14 @@ impl Scenario {
             let mut input = self.input.clone();
             for (key, number) in item.numbers_of(SPECIMEN_LIST) {
                 if let Some(key) = NumericKey::find(&format!("half_space.{key}")) {
-                    key.set(&mut input, Some(number));
+                    input.set(key, Some(number));
                 }
             }
             let needed = [
                 ("youngs_modulus", key!("half_space.youngs_modulus")),
                 ("poissons_ratio", key!("half_space.poissons_ratio")),
             ];
-            if let Some((name, _)) = needed.into_iter().find(|(_, key)| key.get(&input).is_none()) {
+            if let Some((name, _)) = needed.into_iter().find(|(_, key)| input.number(*key).is_none()) {
                 return Err(missing(name));
             }
             specimens.push((Some(name.to_owned()), input));

@@ -185,7 +185,7 @@ impl SweepAxis {
     #[allow(clippy::cast_possible_truncation)] // lists of words are short
     pub fn apply(&self, i: u64, input: &mut Input) {
         match &self.setting {
-            AxisSetting::Number { key, values } => key.set(input, Some(values.value_at(i))),
+            AxisSetting::Number { key, values } => input.set(*key, Some(values.value_at(i))),
             AxisSetting::Words { words, .. } => match &words[i as usize] {
                 AxisWord::Method(method) => {
                     input.set_word(key!("solver.method"), Method::ALL.iter().position(|known| known == method));

@@ -42,10 +42,6 @@ pub struct Plan {
     pub pictures: Option<Vec<&'static str>>,
 }
 
-/// The key of the yield strength, which may follow from a hardness.
-pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
-pub const HARDNESS: &str = "half_space.hardness";
-
 /// Maximum number of cases. Every tool can represent a case number of this size.
 pub const MAX_CASES: u64 = 1 << 63;
 
@@ -199,7 +195,7 @@ impl Plan {
             Cases::MonteCarlo { variables, .. } => {
                 let with = |variable: &Variable, share: f64| {
                     let mut input = self.input.clone();
-                    variable.key.set(&mut input, Some(variable.value(share)));
+                    input.set(variable.key, Some(variable.value(share)));
                     input
                 };
                 let shares = [0.001, 0.25, 0.75, 0.999];
@@ -219,7 +215,7 @@ impl Plan {
             self.varied_paths().into_iter().filter(|path| path.starts_with("damping.")).filter_map(NumericKey::find)
         {
             // a swept damping may begin at 0
-            key.set(&mut input, Some(1.0));
+            input.set(key, Some(1.0));
         }
         let chosen = |method: Method| method.resolve(&input.forces(), false);
         self.methods().into_iter().map(chosen).any(|method| method.is_none())

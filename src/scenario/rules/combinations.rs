@@ -143,7 +143,7 @@ impl Scenario {
     pub(in crate::scenario) fn check_combinations(&self) -> Vec<Error> {
         let mut refused: Vec<Error> = self.kind().err().into_iter().collect();
         for [one, other] in ALTERNATIVES {
-            if self.origin(one).is_given && self.origin(other).is_given {
+            if self.is_given(one) && self.is_given(other) {
                 refused.push(self.document.refuse_both(one, other));
             }
         }
@@ -155,7 +155,7 @@ impl Scenario {
             }
         }
         // the keys that a calibration varies are checked with the data
-        let swept = if self.origin("calibrate").is_given { Vec::new() } else { self.variation.paths() };
+        let swept = if self.is_given("calibrate") { Vec::new() } else { self.variation.paths() };
         if let Some((path, problem)) = self.conflicting_axis(&swept) {
             refused.push(self.refusal_where_varied(path, problem));
         }
@@ -222,7 +222,7 @@ impl Scenario {
 
     /// Refuses air with missing values, and a ball that floats in the air.
     pub(in crate::scenario) fn check_air(&self, input: &Input) -> Result<(), Error> {
-        if !self.origin("air").is_given {
+        if !self.is_given("air") {
             return Ok(());
         }
         for (key, is_missing) in [
@@ -251,7 +251,7 @@ impl Scenario {
         let varies = |path: &str| varied.contains(&path);
         // a swept diameter replaces a radius in the file
         let pairs = ALTERNATIVES.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
-        let given = pairs.into_iter().find(|(key, other)| varies(key) && self.origin(other).is_given);
+        let given = pairs.into_iter().find(|(key, other)| varies(key) && self.is_given(other));
         let refusal =
             |(key, other, is_given)| (key, format!("replaces {other}, which {is_given}. Remove one of the two."));
         let both = || ALTERNATIVES.into_iter().find(|pair| pair.iter().all(|path| varies(path)));

@@ -22,7 +22,7 @@ impl Scenario {
         let path = |form: &str| format!("{table}.{form}");
         let mut forms = names_in_table(table).into_iter().filter(|form| self.origin(&path(form)).is_given_or_varies());
         let Some(form) = forms.next() else {
-            return if self.origin(table).is_given {
+            return if self.is_given(table) {
                 Err(self.document.refusal(table, format!("no flow curve is given. Use one of {FLOW_CURVE_EXAMPLE}.")))
             } else {
                 Ok(())
@@ -38,7 +38,7 @@ impl Scenario {
     pub(in crate::scenario) fn check_numbers(&self, input: &Input, form: &str) -> Result<(), Error> {
         let begin = format!("{form}.");
         let needed = ALL_KEYS.iter().filter(|key| key.path.starts_with(&begin) && key.default.is_empty());
-        let is_missing = |key: &NumericKey| key.get(input).is_none();
+        let is_missing = |key: &NumericKey| input.number(*key).is_none();
         let missing = needed.filter_map(|key| NumericKey::find(key.path)).find(is_missing);
         match missing.and_then(|key| key.path().rsplit_once('.')) {
             Some((table, name)) => Err(self.document.missing_key(table, name)),
@@ -79,7 +79,7 @@ impl Scenario {
                 "requires a yield_strength, the stress at plastic strain 0. Add the yield_strength of the body.",
             );
         };
-        if (self.origin(hardness).is_given || varies(hardness)) && !matches!(flow, FlowCurve::Power { .. }) {
+        if (self.is_given(hardness) || varies(hardness)) && !matches!(flow, FlowCurve::Power { .. }) {
             return refuse("a hardness can be combined with flow_stress.power only. Give yield_strength instead.");
         }
         if flow.last_strain().is_some() && (varies(yield_strength) || varies(hardness)) {

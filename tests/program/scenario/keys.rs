@@ -147,9 +147,9 @@ fn every_key_has_effect_or_reason() {
                 of == Kind::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver | Part::Rate)
             };
             for key in NUMERIC_KEYS.iter().filter(|key| !is_refused(key.part())) {
-                let Some(number) = key.get(&input).filter(|number| number.is_finite()) else { continue };
+                let Some(number) = input.number(*key).filter(|number| number.is_finite()) else { continue };
                 let mut changed = input.clone();
-                key.set(&mut changed, Some(0.9 * number));
+                changed.set(*key, Some(0.9 * number));
                 let facts = Facts { inputs: std::slice::from_ref(&input), kind: of, varied: &[] };
                 let reason = facts.why_unused(key.path());
                 let is_idle = computed(&changed, of) == computed(&input, of);

@@ -158,7 +158,7 @@ fn every_listed_key_is_read_from_file() {
             key.set_exclusive(&mut by_key, value);
             assert_eq!(by_file, by_key, "{}", key.path());
         }
-        assert_eq!(key.get(&by_file), Some(value), "{}", key.path());
+        assert_eq!(by_file.number(*key), Some(value), "{}", key.path());
     }
     assert_eq!(NumericKey::find("impact.speed").unwrap().column_name(), "impact_speed_m_per_s");
     assert!(NumericKey::find("solver.method").is_none());
