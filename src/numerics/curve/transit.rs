@@ -66,12 +66,13 @@ impl TransitSeries {
         last.get().or_else(|| self.knot_with_series(pieces, count))
     }
 
-    /// The series of knot number `count`; computes the series of the knots before it too.
+    /// The series of knot number `count`, from the last knot before it that has one. The knots between keep none: a contact with one
+    /// impact asks for one knot.
     #[cold]
     fn knot_with_series(&self, pieces: &[Piece], count: usize) -> Option<&TransitKnot> {
-        self.knots[..count].iter().enumerate().fold(None, |before, (index, knot)| {
-            Some(knot.get_or_init(|| TransitKnot::behind(before, &pieces[index], &pieces[index + 1])))
-        })
+        let (asked, before) = self.knots[..count].split_last()?;
+        let known = before.iter().rev().find_map(OnceLock::get);
+        Some(asked.get_or_init(|| TransitKnot::after(known, &pieces[..=count])))
     }
 }
 
@@ -87,11 +88,14 @@ pub(super) struct TransitKnot {
 }
 
 impl TransitKnot {
-    /// The knot at the end of a piece, where `next` begins. The piece begins at the knot `before`, or at first contact.
-    fn behind(before: Option<&Self>, piece: &Piece, next: &Piece) -> Self {
-        let (index, mut coefficients) = before.map_or((0, [0.0; SERIES_TERMS]), |knot| (knot.piece, knot.coefficients));
-        add_piece(&mut coefficients, piece, next);
-        Self { piece: index + 1, work: next.work, coefficients }
+    /// The knot where the last of the pieces begins. The sum continues from the knot `known`, or from first contact.
+    fn after(known: Option<&Self>, pieces: &[Piece]) -> Self {
+        let (begin, mut coefficients) = known.map_or((0, [0.0; SERIES_TERMS]), |knot| (knot.piece, knot.coefficients));
+        for pair in pieces[begin..].windows(2) {
+            add_piece(&mut coefficients, &pair[0], &pair[1]);
+        }
+        let last = pieces.len() - 1;
+        Self { piece: last, work: pieces[last].work, coefficients }
     }
 
     /// The knot, and when it is passed.
