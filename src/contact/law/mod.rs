@@ -121,6 +121,22 @@ impl Law {
         Self::new(curve, limits, UnloadingRule::Published(Box::new(PublishedRule { contact_radius, recovery })))
     }
 
+    /// The loading of shallow dents, if it is the same in units of any strength: the PLM of bodies whose strength is constant, with
+    /// a dent alone.
+    pub(crate) fn universal_curve(&self) -> Option<&Arc<LoadingCurve>> {
+        match &self.unloading_rule {
+            UnloadingRule::PlmRule(rule) if rule.hardening.is_none() && rule.flattening.is_none() => {
+                Some(self.loading.shallow())
+            }
+            _ => None,
+        }
+    }
+
+    /// True if no correction for deep dents changes the force at x.
+    pub(crate) fn is_shallow(&self, x: f64) -> bool {
+        self.loading.is_shallow(x)
+    }
+
     /// Fresh surface recovers the whole approach up to this x.
     #[inline(always)]
     pub(crate) fn recovers_fully_until(&self) -> f64 {

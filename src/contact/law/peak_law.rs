@@ -10,11 +10,8 @@
 //! f_g by up to 10⁻⁴, because the first straight piece of the law at the turn lies above Hertz's curve. There f = f_g. The branch
 //! recovers at most the work of loading. Fresh surface that turns at x_t ≤ 1 stays elastic.
 
-use std::sync::Arc;
-
 use super::unloading::{ContactState, LoadedPoint, Unloading, allowed_exponent};
 use super::{ExponentClamp, Law, LawError, PeakLaw, UnloadingRule};
-use crate::numerics::curve::LoadingCurve;
 
 impl PeakLaw {
     /// r², r³.
@@ -80,21 +77,5 @@ impl Law {
     pub(crate) fn with_peak_law(self, law: Self, ratio: f64) -> Self {
         let peak_law = PeakLaw { while_loading: self.unloading_rule, law, ratio };
         Self { unloading_rule: UnloadingRule::Relaxed(Box::new(peak_law)), ..self }
-    }
-
-    /// The loading of shallow dents, if it is the same in units of any strength: the PLM of bodies whose strength is constant, with
-    /// a dent alone.
-    pub(crate) fn universal_curve(&self) -> Option<&Arc<LoadingCurve>> {
-        match &self.unloading_rule {
-            UnloadingRule::PlmRule(rule) if rule.hardening.is_none() && rule.flattening.is_none() => {
-                Some(self.loading.shallow())
-            }
-            _ => None,
-        }
-    }
-
-    /// True if no correction for deep dents changes the force at x.
-    pub(crate) fn is_shallow(&self, x: f64) -> bool {
-        self.loading.is_shallow(x)
     }
 }
