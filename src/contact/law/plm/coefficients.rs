@@ -11,7 +11,7 @@ use super::approach::{ApproachPolyline, ApproachSlopes};
 use super::contact_radius::RadiusTable;
 use super::depth::{Depth, DepthTable};
 use super::poisson::{PoissonTable, pressure_ratio, squared_positions};
-use super::unloading_rule::PlmUnloadingRule;
+use super::unloading_rule::{PlmUnloadingRule, ValidityTable};
 use crate::contact::law::{Law, LawError, UnloadingExponent};
 use crate::contact::pair::Pair;
 use crate::numerics::curve::{Cached, LoadingCurve};
@@ -55,15 +55,6 @@ impl ForceTable {
     }
 }
 
-/// The loading that pairs of equal κ² and equal Poisson's ratio share, in units of first yield.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SharedLoading {
-    /// The force of shallow dents.
-    pub(super) curve: Arc<LoadingCurve>,
-    /// The factor of the plastic slope of the elastic approach.
-    pub(super) plastic_factor: f64,
-}
-
 /// The polyline of ε in A.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -98,6 +89,8 @@ pub struct PlmCoefficients {
     /// Without it, the law of shallow dents serves every depth.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub depth: Option<DepthTable>,
+    #[serde(default)]
+    pub validity: ValidityTable,
 }
 
 /// Why a table of coefficients is refused.
@@ -162,7 +155,10 @@ impl PlmCoefficients {
         let depth = self.depth.map_or([0.0; 5], |d| [d.from, d.force, d.recovery, d.radius, d.radius_from]);
         let deepest = self.depth.is_none_or(|d| d.from < d.to && d.to.is_finite());
         let kappa = self.depth.is_none_or(|d| (0.0..=1.0).contains(&d.recovery_kappa));
-        let rules: [(bool, &'static str, &dyn Debug, &'static str); 18] = [
+        let ValidityTable { perfectly_plastic, hardening, yielding_sphere, both_yield } = self.validity;
+        let widest = [perfectly_plastic, hardening, yielding_sphere, both_yield];
+        let within = is_positive(&widest) && widest.iter().all(|ratio| *ratio <= 1.0);
+        let rules: [(bool, &'static str, &dyn Debug, &'static str); 19] = [
             (same, "force.slope", &f.slope, "force.from, slope and slope_kappa_squared have the same length"),
             (starts, "force.from", &f.from, "rising, the first at least 1 (first yield)"),
             (is_positive(&f.slope), "force.slope", &f.slope, "> 0"),
@@ -191,6 +187,7 @@ impl PlmCoefficients {
             (is_non_negative(&depth), "depth", &self.depth, "no number is negative"),
             (deepest, "depth.to", &self.depth, "to is greater than from"),
             (kappa, "depth.recovery_kappa", &self.depth, "from 0 to 1"),
+            (within, "validity", &self.validity, "each > 0 and <= 1"),
         ];
         match rules.iter().find(|(holds, ..)| !holds) {
             Some((_, key, value, rule)) => Err(CoefficientsError::Value { key, value: format!("{value:?}"), rule }),
@@ -209,10 +206,10 @@ impl PlmCoefficients {
     /// The law, without the flat of a sphere, for a pair that yields at `a_Y` / R = `yield_radius_ratio`.
     pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
         let [kappa, _] = pair.law_shares();
-        let shared = self.shared_loading(kappa * kappa, Self::pressure_ratio(pair));
-        let depth = self.depth(pair, yield_radius_ratio, &shared.curve);
-        let rule = self.unloading_rule(pair, yield_radius_ratio, exponent, shared.plastic_factor);
-        Law::plm(shared.curve, Arc::new(PlmUnloadingRule { depth, ..rule }))
+        let loading = self.shallow_loading(kappa * kappa, Self::pressure_ratio(pair));
+        let depth = self.depth(pair, yield_radius_ratio, &loading);
+        let rule = self.unloading_rule(pair, yield_radius_ratio, exponent);
+        Law::plm(loading, Arc::new(PlmUnloadingRule { depth, ..rule }))
     }
 
     /// c of a pair ([`poisson`](super::poisson)); 1 for bodies that do not yield.
@@ -220,20 +217,19 @@ impl PlmCoefficients {
         pair.yield_point.as_ref().map_or(1.0, pressure_ratio)
     }
 
-    /// The loading of shallow dents for this κ² and this c.
-    pub(super) fn shared_loading(&self, kappa_squared: f64, pressure_ratio: f64) -> SharedLoading {
+    /// The loading of shallow dents for this κ² and this c, in units of first yield.
+    pub(super) fn shallow_loading(&self, kappa_squared: f64, pressure_ratio: f64) -> Arc<LoadingCurve> {
         let slopes = self.force.slopes(kappa_squared);
         let hertz = LoadingCurve::hertz();
-        let (curve, plastic_factor) = match self.poisson {
+        let curve = match self.poisson {
             Some(poisson) if pressure_ratio != 1.0 => {
                 let positions = self.force.squared_positions();
                 let factors = poisson.force_factors(&positions, kappa_squared, pressure_ratio);
-                let slopes = slopes.zip(factors).map(|((from, slope), factor)| (from, slope * factor));
-                (hertz.then_lines(slopes), poisson.approach_factor(pressure_ratio))
+                hertz.then_lines(slopes.zip(factors).map(|((from, slope), factor)| (from, slope * factor)))
             }
-            _ => (hertz.then_lines(slopes), 1.0),
+            _ => hertz.then_lines(slopes),
         };
-        SharedLoading { curve: Arc::new(curve.with_transit_series()), plastic_factor }
+        Arc::new(curve.with_transit_series())
     }
 
     /// How a pair of constant strengths unloads from a shallow dent, without the flat of a sphere.
@@ -242,12 +238,20 @@ impl PlmCoefficients {
         pair: &Pair,
         yield_radius_ratio: f64,
         exponent: UnloadingExponent,
-        plastic_factor: f64,
     ) -> PlmUnloadingRule {
         let [kappa, _] = pair.law_shares();
-        let line = ApproachPolyline::new(&self.approach_slopes(pair, plastic_factor), yield_radius_ratio);
+        let line = ApproachPolyline::new(&self.approach_slopes(pair), yield_radius_ratio);
         let radius = self.contact_radius.for_contact(kappa * kappa, yield_radius_ratio);
-        PlmUnloadingRule { approach: line, hardening: None, flattening: None, depth: None, radius, exponent }
+        let max_radius_ratio = self.validity.perfectly_plastic;
+        PlmUnloadingRule {
+            approach: line,
+            hardening: None,
+            flattening: None,
+            depth: None,
+            radius,
+            max_radius_ratio,
+            exponent,
+        }
     }
 
     /// The correction for deep dents of a pair whose force in shallow dents is `base`.
@@ -262,15 +266,16 @@ impl PlmCoefficients {
     }
 
     /// The slopes and knots of the polyline of the elastic approach.
-    pub(super) fn approach_slopes(&self, pair: &Pair, plastic_factor: f64) -> ApproachSlopes {
+    pub(super) fn approach_slopes(&self, pair: &Pair) -> ApproachSlopes {
         let [kappa, rho] = pair.law_shares();
         let kappa_squared = kappa * kappa;
         let table = &self.elastic_approach;
         let first = (table.first_slope + table.first_slope_kappa_squared * kappa_squared).min(table.first_slope_limit);
+        let of_poisson = self.poisson.map_or(1.0, |poisson| poisson.approach_factor(Self::pressure_ratio(pair)));
         ApproachSlopes {
             first,
             plastic_from: self.plastic_from(rho),
-            plastic: (table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared) * plastic_factor,
+            plastic: (table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared) * of_poisson,
             geometry: table.geometry_from.iter().copied().zip(table.geometry_factor.iter().copied()).collect(),
         }
     }

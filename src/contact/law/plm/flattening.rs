@@ -35,8 +35,6 @@ pub struct Flattening {
     pub(super) unflattened_curve: Arc<LoadingCurve>,
     /// 0.8 Σ β_i (E*/E_i*) a_Y/R_i.
     recovery: f64,
-    /// Largest a/R of the finite elements behind it.
-    pub(super) max_radius_ratio: f64,
 }
 
 impl Flattening {
@@ -94,14 +92,7 @@ impl Flattening {
         let (from, [to, _]) = (points[0], points[points.len() - 1]);
         let curve = LoadingCurve::hertz().then_points(from, points[1..].iter().copied());
         let curve = curve.then_line(to, last.slope_at(to) / factor);
-        let widest = match pair.yield_point.map(|point| point.yield_partition) {
-            Some(flow) if flow.is_shared() => 0.2,
-            _ => 0.3,
-        };
-        (
-            curve.with_transit_series(),
-            Self { unflattened_curve, recovery: recovery * yield_radius_ratio, max_radius_ratio: widest },
-        )
+        (curve.with_transit_series(), Self { unflattened_curve, recovery: recovery * yield_radius_ratio })
     }
 
     /// The fraction of ε_line that is recovered at x > 1, where the strength is σ_rep = r σ_Y. Beyond δ = R, where no law holds, it

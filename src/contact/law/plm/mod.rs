@@ -33,7 +33,7 @@ use crate::contact::pair::Pair;
 use crate::contact::strength::flow_curve::FlowCurve;
 use crate::numerics::curve::{Cached, LoadingCurve};
 pub use approach::ApproachPolyline;
-pub use coefficients::{CoefficientSource, CoefficientsError, PlmCoefficients, SharedLoading};
+pub use coefficients::{CoefficientSource, CoefficientsError, PlmCoefficients};
 pub use deferred_curve::DeferredCurve;
 pub use depth::Depth;
 pub use flattening::Flattening;
@@ -55,7 +55,7 @@ pub struct Plm {
     /// By how much the rate of strain raises the whole flow curve of the body that yields; its strength has it already.
     pub rate_factor: f64,
     /// The loading of the first pair: pairs with the same source share it.
-    pub shared_loading: Cached<(LoadingSource, SharedLoading)>,
+    pub shared_loading: Cached<(LoadingSource, Arc<LoadingCurve>)>,
 }
 
 /// The numbers that the loading of shallow dents is made of: the coefficients, κ² and c ([`poisson`]).
@@ -137,18 +137,17 @@ impl Plm {
     /// [`Law::universal_curve`]).
     pub(crate) fn rescaled_law(&self, shallow: &Arc<LoadingCurve>, bodies: &YieldingPair) -> Law {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
-        let SharedLoading { plastic_factor, .. } = self.shallow_loading(pair);
-        let rule = self.coefficients.unloading_rule(pair, ratio, self.exponent, plastic_factor);
+        let rule = self.coefficients.unloading_rule(pair, ratio, self.exponent);
         let depth = self.coefficients.depth(pair, ratio, shallow);
         Law::plm(Arc::clone(shallow), Arc::new(PlmUnloadingRule { depth, ..rule }))
     }
 
     /// The loading of shallow dents in a half-space that does not harden.
-    fn shallow_loading(&self, pair: &Pair) -> SharedLoading {
+    fn shallow_loading(&self, pair: &Pair) -> Arc<LoadingCurve> {
         let [kappa, _] = pair.law_shares();
         let (square, ratio) = (kappa * kappa, PlmCoefficients::pressure_ratio(pair));
         let source = LoadingSource(Arc::clone(&self.coefficients), square, ratio);
-        let loading = || self.coefficients.shared_loading(square, ratio);
+        let loading = || self.coefficients.shallow_loading(square, ratio);
         let (first_source, first) = self.shared_loading.0.get_or_init(|| (source.clone(), loading()));
         if *first_source == source { first.clone() } else { loading() }
     }
@@ -156,15 +155,17 @@ impl Plm {
     /// The loading of shallow dents without the flat of a sphere, and how the pair unloads from it.
     fn without_flat(&self, bodies: &YieldingPair) -> (Arc<LoadingCurve>, PlmUnloadingRule) {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
-        let SharedLoading { curve: perfect, plastic_factor } = self.shallow_loading(pair);
-        let rule = self.coefficients.unloading_rule(pair, ratio, self.exponent, plastic_factor);
+        let perfect = self.shallow_loading(pair);
+        let rule = self.coefficients.unloading_rule(pair, ratio, self.exponent);
         let [sphere, half_space] = &self.flow;
         let flows = bodies.yield_point.yield_partition;
         let Some(flow) = flows.for_softer([sphere, half_space]) else { return (perfect, rule) };
         let slow = bodies.yield_point.strength / self.rate_factor;
         let rise = flow.normalise(slow, bodies.modulus());
-        let hardening = Hardening::new(rise, ratio, self.coefficients.approach_slopes(pair, plastic_factor));
-        (Arc::new(hardening.loading_curve(&perfect)), PlmUnloadingRule { hardening: Some(hardening), ..rule })
+        let hardening = Hardening::new(rise, ratio, self.coefficients.approach_slopes(pair));
+        let max_radius_ratio = self.coefficients.validity.hardening;
+        let curve = Arc::new(hardening.loading_curve(&perfect));
+        (curve, PlmUnloadingRule { hardening: Some(hardening), max_radius_ratio, ..rule })
     }
 
     /// The loading of shallow dents with the flats of balls that flow, and how the pair unloads from it.
@@ -183,7 +184,10 @@ impl Plm {
             rule.hertz_equivalent_radii(),
             |x, equivalent| rule.contact_radius_at(x, equivalent),
         );
-        (Arc::new(curve), PlmUnloadingRule { flattening: Some(flattening), ..rule })
+        let limits = self.coefficients.validity;
+        let is_shared = bodies.yield_point.yield_partition.is_shared();
+        let max_radius_ratio = if is_shared { limits.both_yield } else { limits.yielding_sphere };
+        (Arc::new(curve), PlmUnloadingRule { flattening: Some(flattening), max_radius_ratio, ..rule })
     }
 
     /// The loading of shallow dents, and how the pair loads and unloads at any depth.

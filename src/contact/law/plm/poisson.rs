@@ -59,6 +59,6 @@ impl PoissonTable {
 
     /// The factor of the plastic slope of the elastic approach.
     pub(super) fn approach_factor(&self, ratio: f64) -> f64 {
-        pow(ratio, self.approach)
+        if ratio == 1.0 { 1.0 } else { pow(ratio, self.approach) }
     }
 }

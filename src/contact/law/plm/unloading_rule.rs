@@ -1,5 +1,7 @@
 //! How the PLM unloads: elastic approach, exponent and contact radius at a point of its loading curve.
 
+use serde::{Deserialize, Serialize};
+
 use super::approach::ApproachPolyline;
 use super::contact_radius::RadiusTable;
 use super::depth::Depth;
@@ -24,18 +26,36 @@ pub struct PlmUnloadingRule {
     pub depth: Option<Depth>,
     /// The contact radius, in units of a_Y.
     pub radius: RadiusTable,
+    /// Largest a/R of the data behind the law.
+    pub max_radius_ratio: f64,
     pub exponent: UnloadingExponent,
+}
+
+/// The largest a/R of the data behind the coefficients, for each kind of contact. The program warns beyond it. The defaults are the
+/// limits of the law without [`DepthTable`](super::depth::DepthTable).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct ValidityTable {
+    /// The half-space yields, and does not harden.
+    pub perfectly_plastic: f64,
+    /// The half-space yields and hardens.
+    pub hardening: f64,
+    /// The sphere yields, or a half-space that is curved.
+    pub yielding_sphere: f64,
+    /// Both bodies yield.
+    pub both_yield: f64,
+}
+
+impl Default for ValidityTable {
+    fn default() -> Self {
+        Self { perfectly_plastic: 0.45, hardening: 0.32, yielding_sphere: 0.3, both_yield: 0.2 }
+    }
 }
 
 impl PlmUnloadingRule {
     /// Where loading holds.
     pub(crate) fn validity(&self) -> Validity {
-        let widest = match (&self.depth, &self.hardening) {
-            (Some(_), _) => 0.55,
-            (None, Some(_)) => 0.32,
-            (None, None) => 0.45,
-        };
-        Validity::new(1.0, self.flattening.as_ref().map_or(widest, |flattening| flattening.max_radius_ratio))
+        Validity::new(1.0, self.max_radius_ratio)
     }
 
     /// The state at a point (x, f) of the loading curve.
