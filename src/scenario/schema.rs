@@ -180,12 +180,11 @@ fn axes_schema() -> Value {
     schema
 }
 
-/// `calibrate.free`: numeric keys with ranges.
+/// `calibrate.free`: numeric keys with ranges. Without a key, laws and data are compared, and nothing is fitted.
 fn free_keys_schema() -> Value {
     let mut schema = varied_keys_schema(|end| {
         table_schema(&json!({ "from": end, "to": end, "scale": word_schema(&SCALES) }), &["from", "to"])
     });
-    schema["minProperties"] = json!(1);
     schema["maxProperties"] = json!(2);
     schema
 }

@@ -105,6 +105,7 @@ def test_program_refuses_what_schema_refuses(
         '[impact]\nspeed = "3 m/s" -> [air]\ndensity = 1.2\ndrag = "sphere"\nviscosity = "1.8e-5 Pa·s"\n[impact]\ndrop_height = 1',
         'youngs_modulus = "210 GPa" -> youngs_modulus = "rigid"',
         'speed = "3 m/s" -> [sweep]\n"impact.speed" = ["1 m/s", 2]',
+        '[impact]\nspeed = "3 m/s" -> [calibrate]\ndata = "drops.csv"\nfree = {}',
     ],
 )
 def test_program_accepts_what_schema_accepts(
@@ -114,6 +115,7 @@ def test_program_accepts_what_schema_accepts(
     text = STEEL.replace(old, new, 1)
     assert old in STEEL and validator.is_valid(tomllib.loads(text))
     (tmp_path / "right.toml").write_text(text)
+    (tmp_path / "drops.csv").write_text("impact_speed_m_per_s,restitution\n1,0.6\n2,0.5\n")
     assert subprocess.run([command, "check", tmp_path / "right.toml"], capture_output=True).returncode == 0
 
 
