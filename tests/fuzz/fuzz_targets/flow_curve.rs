@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 #[allow(dead_code)]
-#[path = "../../tests/common/untrusted.rs"]
+#[path = "../../common/untrusted.rs"]
 mod untrusted;
 
 static FOLDER: LazyLock<tempfile::TempDir> = LazyLock::new(|| tempfile::tempdir().expect("a folder for temporary files"));

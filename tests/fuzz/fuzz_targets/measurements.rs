@@ -1,7 +1,7 @@
 #![no_main]
 
 #[allow(dead_code)]
-#[path = "../../tests/common/untrusted.rs"]
+#[path = "../../common/untrusted.rs"]
 mod untrusted;
 
 libfuzzer_sys::fuzz_target!(|text: &str| drop(untrusted::read_measurements(text)));

@@ -1,5 +1,8 @@
 //! Files of users with random changes: each is read, or refused in words.
 
+use std::fs;
+use std::path::Path;
+
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
@@ -122,4 +125,18 @@ fn mutated_flow_curves_are_read_or_refused() {
     let accepted = read_mutated(1500, &seeds, |text| read_flow_curve(folder.path(), text));
     // most changes leave no rising curve
     assert!((15..1350).contains(&accepted), "{accepted}");
+}
+
+/// The fuzzer is no part of CI, so a file that moves must be found here.
+#[test]
+fn fuzz_targets_find_the_readers() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fuzz/fuzz_targets");
+    let targets: Vec<_> = fs::read_dir(&folder).unwrap().map(|target| target.unwrap().path()).collect();
+    assert_eq!(targets.len(), 3);
+    for target in targets {
+        let text = fs::read_to_string(&target).unwrap();
+        let (_, path) = text.split_once("#[path = \"").unwrap();
+        let place = folder.join(path.split('"').next().unwrap());
+        assert!(place.is_file(), "{}: {}", target.display(), place.display());
+    }
 }
