@@ -9,7 +9,7 @@ use super::format::{Format, TableEncoder};
 use super::missing_parts::MissingParts;
 use super::parts::{MAX_JOINED_ROWS, MAX_PARTS_OF_ONE_FILE, TableIdentity};
 use super::table_files::{TableJob, TableWriter};
-use super::{PartLayout, Tally, unwritable_error};
+use super::{PartLayout, Tally, unwritable_table_error};
 use crate::error::Error;
 use crate::files::parts_folder::{PARTS_FOLDER, file_error};
 use crate::files::{AtomicFile, remove, remove_stale};
@@ -99,7 +99,7 @@ impl<F: TableEncoder> TableWriter<'_, F> {
     /// Joins the parts to one file, and removes them.
     fn join_parts(&self) -> Result<(), Error> {
         let (table, header) = (self.path(&self.name), self.form.header());
-        let unwritable = unwritable_error(&table);
+        let unwritable = unwritable_table_error(&table);
         let mut whole = AtomicFile::create(&table).map_err(&unwritable)?;
         whole.write_all(header).map_err(&unwritable)?;
         for part in 0..self.layout.n_parts() {

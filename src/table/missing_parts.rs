@@ -9,7 +9,7 @@ use super::chunks::{ChunkComputer, ordered_parallel};
 use super::format::TableEncoder;
 use super::table_files::TableWriter;
 use super::tally::RowOutcome;
-use super::{PartLayout, Tally, unwritable_error};
+use super::{PartLayout, Tally, unwritable_table_error};
 use crate::error::{Error, ErrorKind};
 use crate::files::AtomicFile;
 use crate::files::parts_folder::file_error;
@@ -116,7 +116,7 @@ impl<F: TableEncoder> MissingParts<'_, F> {
     fn append(&self, cases: &Range<u64>, piece: &F::Chunk, open: &mut Option<F::Writer>) -> Result<(), Error> {
         let part = cases.start / self.layout.rows_per_part;
         let path = self.path(part);
-        let unwritable = unwritable_error(&path);
+        let unwritable = unwritable_table_error(&path);
         let begin = || AtomicFile::create(&path).and_then(|file| self.table.form.begin(file));
         let mut writer = open.take().map_or_else(begin, Ok).map_err(&unwritable)?;
         self.table.form.append(&mut writer, piece).map_err(&unwritable)?;

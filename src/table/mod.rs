@@ -32,7 +32,7 @@ use std::path::Path;
 use crate::error::{Error, ErrorKind};
 
 /// The error of a table that cannot be written.
-pub(crate) fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
+pub(crate) fn unwritable_table_error(path: &Path) -> impl Fn(io::Error) -> Error {
     Error::from_io(
         ErrorKind::Failed,
         path,

@@ -13,7 +13,7 @@ const ROUNDING: f64 = 1e-9;
 /// Statistics of a column of random cases; [`crate::report::text::sweep`] says what each number is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(missing_docs)]
-pub struct RestitutionStatistics {
+pub struct ColumnStatistics {
     pub samples: u64,
     pub mean: f64,
     pub standard_deviation: f64,
@@ -84,7 +84,7 @@ impl RunningStatistics {
     }
 
     /// The summary; `None` without samples.
-    pub fn distribution(&self) -> Option<RestitutionStatistics> {
+    pub fn distribution(&self) -> Option<ColumnStatistics> {
         let mut sorted = self.values.clone();
         sorted.sort_by(f64::total_cmp);
         let quantile = |share: f64| {
@@ -92,7 +92,7 @@ impl RunningStatistics {
         };
         let [(quantile_05, low), (quantile_50, middle), (quantile_95, high)] = [0.05, 0.5, 0.95].map(quantile);
         let (least, largest) = self.ends;
-        (self.count > 0).then(|| RestitutionStatistics {
+        (self.count > 0).then(|| ColumnStatistics {
             samples: self.count,
             mean: self.mean,
             standard_deviation: if self.count > 1 { (self.deviation / (self.count - 1) as f64).sqrt() } else { 0.0 },

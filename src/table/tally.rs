@@ -1,7 +1,7 @@
 //! Rows are classified as results, as rows outside the range of a law, or as failures.
 
 use super::RowFailure;
-use super::statistics::{RestitutionStatistics, RunningStatistics};
+use super::statistics::{ColumnStatistics, RunningStatistics};
 use crate::impact::ImpactRow;
 use crate::results::ResultColumn;
 use crate::scenario::plan::Plan;
@@ -66,7 +66,7 @@ impl Tally {
     }
 
     /// The distribution of every column that has values.
-    pub fn distributions(&self) -> Vec<(ResultColumn, RestitutionStatistics)> {
+    pub fn distributions(&self) -> Vec<(ResultColumn, ColumnStatistics)> {
         self.statistics.iter().filter_map(|(column, all)| Some((*column, all.distribution()?))).collect()
     }
 }

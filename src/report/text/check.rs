@@ -46,7 +46,7 @@ pub(super) fn contact_at_own_speed(input: &Input, contact: &Contact) -> Contact 
 /// A scenario of impacts; of a table, it is its first case.
 pub fn contact_fields(input: &Input, contact: &Contact) -> Map<String, Value> {
     let inputs = Inputs::new(input).to_json().into();
-    let numbers = to_fields(&self::contact_results(), &contact_at_own_speed(input, contact)).into();
+    let numbers = to_fields(&contact_results(), &contact_at_own_speed(input, contact)).into();
     Map::from_iter([("inputs".to_owned(), inputs), ("contact".to_owned(), numbers)])
 }
 

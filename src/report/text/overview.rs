@@ -22,7 +22,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     let speed = input.approach().normal;
     let contact = &check::contact_at_own_speed(input, contact);
     let law = input.law();
-    for [key, text] in self::input_rows(&Inputs::new(input)) {
+    for [key, text] in input_rows(&Inputs::new(input)) {
         match key.as_str() {
             // the keys of the PLM name the law
             "law" if matches!(law, LawChoice::Plm(_)) => {}
@@ -49,7 +49,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
 pub fn calibration_overview(measured: &CalibrationTask, calibration: &Calibration) -> String {
-    let mut rows = self::input_rows(&calibrate::inputs(measured, calibration));
+    let mut rows = input_rows(&calibrate::inputs(measured, calibration));
     rows.push([String::new(), String::new()]);
     let CalibrationTask { data, .. } = measured;
     let mut range = |name: &str, dimension: Dimension, values: Vec<f64>| {

@@ -8,11 +8,11 @@ use crate::results::{RESTITUTION, ResultColumn, ResultSpec, dimension_of, result
 use crate::scenario::plan::{Cases, Plan, Variable};
 use crate::strings::align_columns;
 use crate::table::Tally;
-use crate::table::statistics::RestitutionStatistics;
+use crate::table::statistics::ColumnStatistics;
 use crate::units::{format_result, quantities};
 
 /// Counts of the rows of a table; if the cases are random, the statistics of their restitutions and of their other columns.
-type Totals<'a> = (&'a Tally, Option<RestitutionStatistics>, Option<Value>);
+type Totals<'a> = (&'a Tally, Option<ColumnStatistics>, Option<Value>);
 
 /// The results of the rows, in the order of `summary.json`.
 pub fn total_results<'a>() -> Vec<ResultSpec<Totals<'a>>> {
@@ -43,8 +43,8 @@ pub fn total_results<'a>() -> Vec<ResultSpec<Totals<'a>>> {
 }
 
 /// The distribution of a column of random cases.
-pub fn distributions() -> Vec<ResultSpec<(ResultColumn, RestitutionStatistics)>> {
-    result_specs! { |one: (ResultColumn, RestitutionStatistics)|
+pub fn distributions() -> Vec<ResultSpec<(ResultColumn, ColumnStatistics)>> {
+    result_specs! { |one: (ResultColumn, ColumnStatistics)|
         /// Name of the column, with its unit.
         "column": one.0.name;
         /// Number of values in the distribution.
@@ -124,7 +124,7 @@ fn column_label(column: &ResultColumn) -> String {
 }
 
 /// The row of a column in the table of random cases: "5 %" has the value above 5 % of all values.
-fn quantiles((column, all): &(ResultColumn, RestitutionStatistics)) -> [String; 6] {
+fn quantiles((column, all): &(ResultColumn, ColumnStatistics)) -> [String; 6] {
     let dimension = dimension_of(column.name);
     let values = [all.mean, all.quantile_05, all.quantile_50, all.quantile_95];
     let mut texts = quantities(&values, dimension).into_iter();

@@ -37,11 +37,7 @@ pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
     results.retain(|result| !is_idle(result.name) && (!is_brief || result.is_brief));
     let speed = ["impact speed".to_owned(), format_result(impact.speed, Dimension::Speed), String::new()];
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
-    lines.extend(self::result_lines(
-        &results,
-        single,
-        Imprint::new(single.contact.is_spring(), impact.row.imprint_name()),
-    ));
+    lines.extend(result_lines(&results, single, Imprint::new(single.contact.is_spring(), impact.row.imprint_name())));
     put_measured_first(&mut lines);
     mark_doubtful(&mut lines, impact);
     align_columns(&lines, |_| true) + &notes_text(single.notes)

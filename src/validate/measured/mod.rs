@@ -7,7 +7,6 @@ mod sticking;
 
 pub(super) use friction_models::glass_balls;
 
-use self::impacts::{MeasuredImpact, RELATIVE_SPEED, impacts_of, relative_tangential_speed};
 use super::comparison::{Comparison, Group};
 use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
@@ -15,6 +14,7 @@ use crate::numerics::functions::sin_cos;
 use crate::reference::damaged_table;
 use crate::reference::measured::{MeasuredSet, measured_sets};
 use crate::results::result_columns;
+use impacts::{MeasuredImpact, RELATIVE_SPEED, impacts_of, relative_tangential_speed};
 
 /// A quantity that is no column of a table of the program.
 type OwnQuantity = (&'static str, fn(&MeasuredImpact) -> Result<Option<f64>, Error>);

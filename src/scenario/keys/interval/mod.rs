@@ -11,15 +11,15 @@
 pub mod law_error;
 mod strength;
 
-use self::law_error::{has_law_error, law_error, poissons_ratio_part};
-use self::strength::{HardnessRange, strength_parts};
-pub use self::strength::{HardnessRanges, WHICH_STRENGTH, expected_notes, has_strength_parts, strength_notes};
 use crate::contact::law::LawChoice;
 use crate::impact::{Approach, Bias, Contact, Forces, ImpactRow, Plate, PlateTheory, Solver};
 use crate::numerics::functions::powi;
 pub use crate::results::restitution_interval::{IntervalPart, PartKind, RestitutionInterval, SMALL};
 use crate::results::restitution_interval::{LAW_BIAS, LAW_SCATTER};
 use crate::scenario::input::Input;
+use law_error::{has_law_error, law_error, poissons_ratio_part};
+use strength::{HardnessRange, strength_parts};
+pub use strength::{HardnessRanges, WHICH_STRENGTH, expected_notes, has_strength_parts, strength_notes};
 
 /// A smaller relative change of e is rounding.
 const ROUNDING: f64 = 1e-9;
