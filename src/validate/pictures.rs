@@ -78,13 +78,14 @@ fn restitution_error_against_depth(cases: &[MaterialCase], coefficients: &PlmCoe
             Series::points(name, points.collect()).with_style(i)
         };
         let series = cases.iter().enumerate().map(of_case).collect();
-        let y = Axis::linear(&format!("e off, {name}"), "%").with_range(-6.5, 2.5);
+        let y = Axis::linear(&format!("error of e, {name}"), "%").with_range(-6.5, 2.5);
         let mut panel = Panel::new(y, series);
         panel.guides.push(Series::horizontal(0.0, ""));
         panel
     };
     let panels = EXPONENTS.into_iter().enumerate().map(of_exponent).collect();
-    let chart = Chart::with_panels("Restitution of the law less that of finite elements", depth_axis(), panels);
+    let chart =
+        Chart::with_panels("Error of the restitution of the law, against finite elements", depth_axis(), panels);
     ("error-restitution".to_owned(), chart.with_caption(CASES))
 }
 
@@ -104,10 +105,10 @@ fn restitution_error_against_radius(coefficients: &PlmCoefficients) -> Result<Pi
         Series::points(name, here.map(|(_, ratio, error)| (*ratio, 100.0 * error)).collect()).with_style(i)
     };
     let series = CLASSES.into_iter().enumerate().map(of_class).collect();
-    let mut panel = Panel::new(Axis::linear("e off, pressure-shape", "%"), series);
+    let mut panel = Panel::new(Axis::linear("error of e, pressure-shape", "%"), series);
     panel.guides.push(Series::horizontal(0.0, ""));
     let x = Axis::linear("Contact radius over radius of the sphere", "");
-    let chart = Chart::with_panels("Restitution of the law less that of finite elements", x, vec![panel]);
+    let chart = Chart::with_panels("Error of the restitution of the law, against finite elements", x, vec![panel]);
     Ok(("error-restitution-contact-radius".to_owned(), chart.with_caption("load cycles and whole impacts")))
 }
 

@@ -127,12 +127,11 @@ impl Exporter<'_> {
                 (Some(from), None) => format!("from {from} m/s on"),
                 (None, None) => "at all speeds near this one".to_owned(),
             };
-            about.push(format!("constant e; the law gives e within {percent} % of it {range}"));
+            about
+                .push(format!("e is constant here; the e of the law differs from it by less than {percent} % {range}"));
             let (step, steps) = (self.time_step(), steps_per_contact(restitution));
-            about.push(format!(
-                "time step {step:.3e} s or less ({steps} steps a contact, e within 1 %), for a sphere of"
-            ));
-            about.push(self.bodies());
+            about.push(format!("time step {step:.3e} s or less: {steps} steps per contact, error of e below 1 %"));
+            about.push(format!("sphere of {}", self.bodies()));
             about.push(
                 "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
             );

@@ -44,9 +44,12 @@ pub(super) fn question(laws: &[(String, LawChoice)]) -> Result<Question, Error> 
     series.retain(|one| !one.points.is_empty());
     Ok(Question {
         name: "rate",
-        title: "Restitution with a strain rate: law less finite elements",
+        title: "Error of the restitution with a strain rate",
         caption: "% rms over ten impacts; laws without rate use the strength of the slow test; no measurements",
-        axes: [Axis::linear("Restitution of finite elements", ""), Axis::linear("e off", "%").with_range(-60.0, 60.0)],
+        axes: [
+            Axis::linear("Restitution of finite elements", ""),
+            Axis::linear("Error of e", "%").with_range(-60.0, 60.0),
+        ],
         has_points_of_laws: true,
         series,
     })

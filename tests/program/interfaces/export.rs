@@ -156,7 +156,7 @@ fn time_step_keeps_restitution_within_one_percent() {
     }
     // the text says the number of steps, and the time step is that of the line
     let text = printed(&[STEEL, "--to", "lammps", "--set", "law=thornton", "--speed", "30 m/s"]);
-    assert!(text.contains("(610 steps a contact, e within 1 %)"), "{text}");
+    assert!(text.contains("610 steps per contact, error of e below 1 %"), "{text}");
 }
 
 #[test]

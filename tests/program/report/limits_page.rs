@@ -46,12 +46,12 @@ fn rows() -> Vec<[String; 3]> {
         row("limited quantity", "limit".to_owned(), "beyond the limit the program"),
         row("a/R, the half-space yields", at_most(of_half_space()), ESTIMATE),
         row(
-            "a/R, a stiff ball in a half-space without a flow curve",
+            "a/R, half-space without a flow curve, and a ball that is at least a third as stiff",
             at_most(MAX_SOFT_RADIUS_RATIO),
             "warns: e may be up to 6 % too high",
         ),
         row("a/R, the ball yields", at_most(of_ball()), ESTIMATE),
-        row("a/R, both bodies yield: q below 1.25", at_most(of_both()), ESTIMATE),
+        row("a/R, both bodies yield (strength ratio q below 1.25)", at_most(of_both()), ESTIMATE),
         row(
             "a/R, other contact laws, unless their authors state another limit",
             at_most(MAX_PARABOLOID_RADIUS_RATIO),
@@ -64,7 +64,7 @@ fn rows() -> Vec<[String; 3]> {
             "warns: force, dent and e are extrapolations",
         ),
         row(
-            "part of the peak force that the inertia of the target would take away (not modelled)",
+            "estimated reduction of the peak force by the inertia of the target (not modelled)",
             format!("at most {}", percent(MAX_INERTIA_SHARE)),
             "warns: the peak force is too high",
         ),
@@ -75,7 +75,7 @@ fn rows() -> Vec<[String; 3]> {
             "warns: e has an additional error",
         ),
         row(
-            "contact time over 2 R/c, the time of a longitudinal wave through the ball and back",
+            "contact time over 2 R/c, the time of a longitudinal wave through the ball",
             at_least(MIN_TRANSITS),
             "warns: e is too high",
         ),
@@ -85,7 +85,7 @@ fn rows() -> Vec<[String; 3]> {
             "warns: e is too high, because adhesion is not modelled",
         ),
         row(
-            "radiated over recovered energy",
+            "energy radiated as waves over recovered energy",
             format!("at most {}", percent(MAX_WAVE_LOSS)),
             "warns: e with waves is a rough value",
         ),
@@ -111,7 +111,7 @@ fn rows() -> Vec<[String; 3]> {
         row("Zener's number λ", at_most(MAX_MEASURED_ZENER_NUMBER), "warns: e is close to 0 and uncertain"),
         row("Zener's number λ", at_most(MAX_ZENER_NUMBER), "stops: no measurable rebound"),
         row(
-            "recovered energy above the loading work, by a published formula",
+            "excess of the recovered energy over the loading work, by the formulas of a published law",
             format!("at most {}", percent(MAX_CLIPPING)),
             "stops: no result",
         ),
@@ -136,7 +136,7 @@ fn other_texts_repeat_limits_of_contact_radius() {
         ("src/contact/law/facts.csv", format!("a/R <= {flat} ({soft} {of_soft})")),
         ("src/registry.md", format!("radius of {flat} R ({soft} R {of_soft}, {ball} R if the sphere yields)")),
         ("scenarios/README.md", format!("| a/R = {ball} ({flat} for a half-space) |")),
-        ("scenarios/README.md", format!("| a/R = {both} (the split between dent and flat: 0.11) |")),
+        ("scenarios/README.md", format!("| a/R = {both} (how the deformation divides into dent and flat: 0.11) |")),
         ("scenarios/README.md", format!("Validated up to a/R = {flat}.")),
     ] {
         assert!(read(page).replace('\n', " ").contains(&sentence), "{page} lacks: {sentence}");
