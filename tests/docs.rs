@@ -175,12 +175,12 @@ fn command_table_names_existing_commands_and_options() {
 
 /// Rows of the table of errors on the front page, and the quantities of the page of validation that they repeat.
 const ERRORS: [(&str, &str); 5] = [
-    ("e, `unloading_exponent = \"pressure-shape\"`", "load cycle: restitution, pressure-shape"),
-    ("e, exponent 3/2 of the paper", "load cycle: restitution, exponent 3/2"),
-    ("e, `\"pressure-shape\"`, metal that strain-hardens", "hardening: restitution, pressure-shape"),
+    ("e, unloading exponent `\"pressure-shape\"`", "load cycle: restitution, pressure-shape"),
+    ("e, unloading exponent 3/2 of the paper", "load cycle: restitution, exponent 3/2"),
+    ("e, `\"pressure-shape\"`, metal that strain-hardens (≤ 0.32 R)", "hardening: restitution, pressure-shape"),
     ("force while the contact loads", "loading: force"),
     (
-        "dent depth, divided by the largest indentation",
+        "dent depth, in % of the largest indentation",
         "load cycle: residual indentation, deviation over peak indentation",
     ),
 ];
