@@ -137,11 +137,12 @@
 //! assert!(on_plate.restitution < contact.closed_form(3.0)?.row.restitution);
 //!
 //! // gross sliding at 60° from the normal: the tangential impulse is μ (1 + e) m v_n
-//! let approach = Approach { normal: 1.5, along: 1.5 * 3_f64.sqrt(), spin: 0.0, friction: Some(0.1) };
+//! let tangential = TangentialMotion::in_plane(1.5 * 3_f64.sqrt(), 0.0);
+//! let approach = Approach { normal: 1.5, tangential, friction: Some(0.1) };
 //! let oblique = contact.impact(approach, &Solver::default(), None)?;
 //! let rebound = oblique.row.rebound.ok_or("no rebound")?;
-//! let tangential = approach.along - 0.1 * (1.0 + contact.closed_form(1.5)?.row.restitution) * 1.5;
-//! assert!((rebound.tangential_speed / tangential - 1.0).abs() < 1e-9);
+//! let after = tangential.speed - 0.1 * (1.0 + contact.closed_form(1.5)?.row.restitution) * 1.5;
+//! assert!((rebound.tangential.speed / after - 1.0).abs() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -25,7 +25,7 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
     let panels = vec![
         panel("Friction", "N", 3, |row| row.friction_force, None),
         panel("Slip speed", "m/s", 1, |row| row.slip_speed, after(last.slip_speed, Dimension::Speed)),
-        panel("Spin", "rad/s", 2, |row| row.spin, after(last.spin, Dimension::AngularSpeed)),
+        panel("Spin", "rad/s", 2, |row| row.tangential.spin, after(last.tangential.spin, Dimension::AngularSpeed)),
     ];
     let x = Axis::linear("Time", "s").with_range(0.0, 1.03 * impact.duration());
     let peak = Series::vertical(impact.loading_time, "deepest point").with_style(Style::line(GREY, 2.0));

@@ -141,8 +141,8 @@ fn repeats() -> Vec<Drawing> {
         drawing(
             format!("{}{GRAVITY}[repeat]\nimpacts = 4\nspot = \"fresh\"\n", oblique()),
             vec![
-                shown("series::path_chart", "path", 0, Through(BLUE), tops("position_m")),
-                shown("series::path_chart", "path", 0, Marks(VERMILLION), hits),
+                shown("path::path_chart", "path", 0, Through(BLUE), tops("position_m")),
+                shown("path::path_chart", "path", 0, Marks(VERMILLION), hits),
             ],
         ),
     ]
