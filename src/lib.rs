@@ -38,7 +38,7 @@
 //! | R_e, R_res | `unloading_radius`, `residual_radius` | m | effective radius of unloading; radius of curvature of the dent |
 //! | n | `unloading_exponent` | 1 | F ∝ (δ − δ_r)^n |
 //! | e | `restitution` | 1 | rebound speed over impact speed (COR) |
-//! | v_n, v_t, ω, μ | [`Approach`] | m/s, m/s, rad/s, 1 | velocity, spin and coefficient of friction of the arriving sphere |
+//! | v_n, V, Ω, μ | [`Approach`] | m/s, m/s, rad/s, 1 | normal speed, tangential velocity, spin and coefficient of friction of the arriving sphere |
 //! | g, χ, ζ | [`Forces`](impact::Forces) | m/s², s/m, 1 | gravity; damping after Hunt and Crossley; fraction of critical damping |
 //! | h, Y, λ | [`Plate`](impact::Plate), [`PlateResult`](impact::PlateResult) | m, s/kg, 1 | thickness of a plate that is hit, how it gives way (w' = Y F), Zener's number |
 //! | C(ν) | [`Waves`](crate::impact::problem::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |

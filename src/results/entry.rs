@@ -95,9 +95,9 @@ impl Requirement {
             Self::Cross => (CROSS, |_, row| row.rebound.is_some_and(|after| after.tangential.cross.is_some())),
             Self::Target => (FREE, |_, row| row.target_speed.is_some()),
             Self::Struck => (STRUCK, |_, row| row.rebound.is_some_and(|after| after.target.is_some())),
-            Self::StruckCross => {
-                (STRUCK_CROSS, |_, row| row.rebound.is_some_and(|after| after.target.is_some_and(|ball| ball.cross.is_some())))
-            }
+            Self::StruckCross => (STRUCK_CROSS, |_, row| {
+                row.rebound.is_some_and(|after| after.target.is_some_and(|ball| ball.cross.is_some()))
+            }),
             Self::Flight => (FLIES, |_, row| row.rebound_height.is_some()),
         }
     }

@@ -9,7 +9,8 @@ use super::{Requirement, ResultSpec, result_specs};
 use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::{
-    Contact, CrossMotion, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound, TangentialMotion,
+    Contact, CrossMotion, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound,
+    TangentialMotion,
 };
 use crate::results::restitution_interval::RestitutionInterval;
 

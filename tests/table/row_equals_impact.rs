@@ -22,6 +22,7 @@ const TABLES: [Table; 12] = [
             ("friction.coefficient", &["0.1", "0.3"]),
             ("impact.angle", &["\"0 deg\"", "\"10 deg\"", "\"60 deg\""]),
             ("sphere.spin", &["-50", "0"]),
+            ("sphere.spin_about_path", &["0", "70"]),
         ],
     ),
     (&[FLOW], &[("half_space.flow_stress.power.exponent", &["0.05", "0.3"]), SPEEDS]),

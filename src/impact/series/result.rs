@@ -59,7 +59,13 @@ pub struct SeriesResult {
 }
 
 impl SeriesImpact {
-    pub(super) fn new(impact: Impact, approach: Approach, time: Option<f64>, position: [f64; 2], dent_before: f64) -> Self {
+    pub(super) fn new(
+        impact: Impact,
+        approach: Approach,
+        time: Option<f64>,
+        position: [f64; 2],
+        dent_before: f64,
+    ) -> Self {
         let rebound_speed = impact.row.measured_restitution() * approach.normal;
         let dent_growth = impact.row.residual_indentation - dent_before;
         Self { time, position, approach, impact, rebound_speed, dent_growth, flight: None }

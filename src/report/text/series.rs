@@ -76,7 +76,13 @@ pub fn trace_csv(sequence: &SeriesResult, samples: usize) -> Result<Vec<u8>, Err
 
 /// The rows of a flight without its ends, which are rows of the contacts before and after it. Only the release of the
 /// sphere, where the first fall begins, is a row of the flight. `reported` states which of the two positions the trace has.
-fn push_flight_rows(impact: usize, flight: &Flight, reported: [bool; 2], samples: usize, rows: &mut Vec<SeriesTraceRow>) {
+fn push_flight_rows(
+    impact: usize,
+    flight: &Flight,
+    reported: [bool; 2],
+    samples: usize,
+    rows: &mut Vec<SeriesTraceRow>,
+) {
     rows.extend((usize::from(impact > 0)..=samples).map(|i| {
         let time = flight.duration * i as f64 / (samples + 1) as f64;
         let place = flight.position_at(time);

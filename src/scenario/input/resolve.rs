@@ -10,8 +10,8 @@ use crate::contact::pair::{Pair, YieldPartition};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
-    Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Plate, PlateTheory, STANDARD_GRAVITY,
-    Solver,
+    Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Plate, PlateTheory,
+    STANDARD_GRAVITY, Solver,
 };
 use crate::materials::{MaterialEntry, all_materials};
 use crate::scenario::keys::{Part, body_key, key};
@@ -180,11 +180,7 @@ impl Input {
     pub fn cross_motion(&self) -> Option<CrossMotion> {
         let [_, path, normal] = SPIN_KEYS.map(|key| self.number(key));
         path.or(normal)?;
-        Some(CrossMotion {
-            speed: 0.0,
-            spin_about_path: path.unwrap_or(0.0),
-            spin_about_normal: normal.unwrap_or(0.0),
-        })
+        Some(CrossMotion { speed: 0.0, spin_about_path: path.unwrap_or(0.0), spin_about_normal: normal.unwrap_or(0.0) })
     }
 
     /// Speed, angle and spin at first contact.

@@ -6,8 +6,13 @@ use super::with_forces::under;
 use super::*;
 
 /// Forward, to the left and back, sticking and sliding: speed, degrees, friction, and the spin of rolling forward \[rad/s\].
-const PLANE_SCENES: [(f64, f64, f64, f64); 5] =
-    [(3.9, 8.0, 0.3, 0.0), (3.9, 8.0, 0.3, 400.0), (3.9, 20.0, 0.1, -300.0), (1.0, 60.0, 0.15, 50.0), (2.0, 0.0, 0.2, 90.0)];
+const PLANE_SCENES: [(f64, f64, f64, f64); 5] = [
+    (3.9, 8.0, 0.3, 0.0),
+    (3.9, 8.0, 0.3, 400.0),
+    (3.9, 20.0, 0.1, -300.0),
+    (1.0, 60.0, 0.15, 50.0),
+    (2.0, 0.0, 0.2, 90.0),
+];
 
 /// A motion turned about the normal, from x to y.
 fn turned(motion: TangentialMotion, azimuth: f64) -> TangentialMotion {
@@ -20,12 +25,12 @@ fn turned(motion: TangentialMotion, azimuth: f64) -> TangentialMotion {
     TangentialMotion { speed: cos * x - sin * y, spin: sin * about_x + cos * about_y, cross: Some(cross) }
 }
 
-fn assert_motion_eq(got: TangentialMotion, want: TangentialMotion, radius: f64, size: f64) {
+fn assert_motion_eq(got: TangentialMotion, want: TangentialMotion, radius: f64, allowed: f64) {
     for axis in [0, 1] {
-        assert_abs_diff_eq!(got.velocity()[axis], want.velocity()[axis], epsilon = 4e-15 * size);
+        assert_abs_diff_eq!(got.velocity()[axis], want.velocity()[axis], epsilon = allowed);
     }
     for axis in [0, 1, 2] {
-        assert_abs_diff_eq!(got.spins()[axis] * radius, want.spins()[axis] * radius, epsilon = 1e-14 * size);
+        assert_abs_diff_eq!(got.spins()[axis] * radius, want.spins()[axis] * radius, epsilon = 2.5 * allowed);
     }
 }
 
@@ -50,18 +55,18 @@ fn turned_scene_has_turned_result() {
                 let scene = Approach { tangential: turned(plane.tangential, azimuth), ..plane };
                 let (of_scene, got) = impact(&contact, scene, Some(12));
                 let size = speed + radius * spin.abs();
-                assert_motion_eq(got.tangential, turned(want.tangential, azimuth), radius, size);
+                // in partial slip rounding changes the lengths of the steps
+                let allowed = size * if want.is_sliding { 4e-15 } else { 1e-10 };
+                assert_eq!(got.is_sliding, want.is_sliding);
+                assert_motion_eq(got.tangential, turned(want.tangential, azimuth), radius, allowed);
                 assert_eq!(got.target.is_some(), want.target.is_some());
                 if let (Some(got), Some(want)) = (got.target, want.target) {
-                    assert_motion_eq(got, turned(want, azimuth), 8e-3, size);
+                    assert_motion_eq(got, turned(want, azimuth), 8e-3, allowed);
                 }
-                assert_abs_diff_eq!(got.angle, want.angle.abs(), epsilon = 1e-13);
+                assert_abs_diff_eq!(got.angle, want.angle.abs(), epsilon = 1e-10);
                 assert_abs_diff_eq!(got.psi.abs(), want.psi.abs(), epsilon = 1e-13 * want.psi.abs());
-                assert_abs_diff_eq!(
-                    got.contact_point_restitution,
-                    want.contact_point_restitution,
-                    epsilon = 1e-9 // rounding changes the lengths of the steps
-                );
+                let [ratio, want_of_ratio] = [got, want].map(|rebound| rebound.contact_point_restitution);
+                assert_abs_diff_eq!(ratio, want_of_ratio, epsilon = 1e-9);
                 assert_abs_diff_eq!(got.loss_fraction, want.loss_fraction, epsilon = 1e-9);
                 for (got, want) in of_scene.trace.iter().zip(&of_plane.trace) {
                     let [got, want] = [got, want].map(|row| row.friction.unwrap().tangential);
@@ -83,7 +88,10 @@ fn spin_about_normal_changes_nothing() {
             let (of_scene, got) = impact(&contact, with_spins(plane, 0.0, 700.0), Some(12));
             let cross = Some(CrossMotion { speed: 0.0, spin_about_path: 0.0, spin_about_normal: 700.0 });
             assert_eq!(got.tangential, TangentialMotion { cross, ..want.tangential });
-            assert_eq!((got.psi, got.loss_fraction, got.impulse_ratio), (want.psi, want.loss_fraction, want.impulse_ratio));
+            assert_eq!(
+                (got.psi, got.loss_fraction, got.impulse_ratio),
+                (want.psi, want.loss_fraction, want.impulse_ratio)
+            );
             assert_eq!(got.target.map(|ball| (ball.speed, ball.spin)), want.target.map(|ball| (ball.speed, ball.spin)));
             assert_eq!(of_scene.row.restitution, of_plane.row.restitution);
             let [got, want] = [&of_scene, &of_plane].map(|impact| impact.oblique.unwrap());
@@ -153,8 +161,11 @@ fn angular_momentum_and_energy_are_conserved() {
             assert!(friction.momentum_error < 1e-14 && friction.loss > 0.0);
             // ∫ T·s dt of the trace, by the trapezoidal rule
             let power = |row: &TraceRow| -row.friction.unwrap().friction_force * row.friction.unwrap().slip_speed;
-            let work: f64 =
-                impact.trace.windows(2).map(|pair| 0.5 * (power(&pair[0]) + power(&pair[1])) * (pair[1].time - pair[0].time)).sum();
+            let work: f64 = impact
+                .trace
+                .windows(2)
+                .map(|pair| 0.5 * (power(&pair[0]) + power(&pair[1])) * (pair[1].time - pair[0].time))
+                .sum();
             assert_relative_eq!(work, friction.loss, max_relative = 2e-4);
         }
     }
@@ -214,10 +225,7 @@ fn hopping_ball_turns_to_direction_of_coriolis() {
             place = next.position;
         }
         let last = series.impacts.last().unwrap().impact.row.rebound.unwrap().tangential;
-        let want = [
-            (5.0 * first.tangential.speed + 2.0 * radius * spin) / 7.0,
-            -2.0 * radius * spin_about_path / 7.0,
-        ];
+        let want = [(5.0 * first.tangential.speed + 2.0 * radius * spin) / 7.0, -2.0 * radius * spin_about_path / 7.0];
         for axis in [0, 1] {
             assert_abs_diff_eq!(last.velocity()[axis], want[axis], epsilon = 1e-4);
         }

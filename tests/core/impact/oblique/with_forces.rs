@@ -47,7 +47,10 @@ fn hopping_ball_keeps_spin_and_path() {
     for (i, hit) in series.impacts.iter().enumerate() {
         let alone = contact.impact(hit.approach, &Solver::AUTO, None).unwrap();
         let (rebound, after) = (alone.row.rebound.unwrap(), hit.impact.row.rebound.unwrap());
-        assert_eq!((rebound.tangential.speed, rebound.tangential.spin), (after.tangential.speed, after.tangential.spin));
+        assert_eq!(
+            (rebound.tangential.speed, rebound.tangential.spin),
+            (after.tangential.speed, after.tangential.spin)
+        );
         assert_relative_eq!(momentum(after.tangential.speed, after.tangential.spin), begun, max_relative = 1e-12);
         assert_abs_diff_eq!(hit.position[0], place, epsilon = 1e-12);
         lost += hit.impact.oblique.unwrap().loss;
