@@ -171,7 +171,7 @@ fn angular_momentum_and_energy_are_conserved() {
     }
 }
 
-/// Gross sliding of two equal balls: V = μ (1 + e)/2 v_n along the slip. This is the throw of pool, Alciatore 2007, TP A.14: a
+/// Gross sliding of two equal balls: V = μ (1 + e)/2 v_n along the slip. This is the throw of pool, Alciatore, technical proof A.14: a
 /// rolling cue ball slips across the table too, and throws the object ball less than a cue ball that does not roll.
 #[test]
 fn rolling_cue_ball_throws_less() {
