@@ -38,7 +38,7 @@
 //! | R_e, R_res | `unloading_radius`, `residual_radius` | m | effective radius of unloading; radius of curvature of the dent |
 //! | n | `unloading_exponent` | 1 | F ∝ (δ − δ_r)^n |
 //! | e | `restitution` | 1 | rebound speed over impact speed (COR) |
-//! | v_n, v_t, ω, μ | [`Approach`] | m/s, m/s, rad/s, 1 | velocity, spin and coefficient of friction of the arriving sphere |
+//! | v_n, V, Ω, μ | [`Approach`] | m/s, m/s, rad/s, 1 | normal speed, tangential velocity, spin and coefficient of friction of the arriving sphere |
 //! | g, χ, ζ | [`Forces`](impact::Forces) | m/s², s/m, 1 | gravity; damping after Hunt and Crossley; fraction of critical damping |
 //! | h, Y, λ | [`Plate`](impact::Plate), [`PlateResult`](impact::PlateResult) | m, s/kg, 1 | thickness of a plate that is hit, how it gives way (w' = Y F), Zener's number |
 //! | C(ν) | [`Waves`](crate::impact::problem::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
@@ -137,11 +137,12 @@
 //! assert!(on_plate.restitution < contact.closed_form(3.0)?.row.restitution);
 //!
 //! // gross sliding at 60° from the normal: the tangential impulse is μ (1 + e) m v_n
-//! let approach = Approach { normal: 1.5, along: 1.5 * 3_f64.sqrt(), spin: 0.0, friction: Some(0.1) };
+//! let tangential = TangentialMotion::in_plane(1.5 * 3_f64.sqrt(), 0.0);
+//! let approach = Approach { normal: 1.5, tangential, friction: Some(0.1) };
 //! let oblique = contact.impact(approach, &Solver::default(), None)?;
 //! let rebound = oblique.row.rebound.ok_or("no rebound")?;
-//! let tangential = approach.along - 0.1 * (1.0 + contact.closed_form(1.5)?.row.restitution) * 1.5;
-//! assert!((rebound.tangential_speed / tangential - 1.0).abs() < 1e-9);
+//! let after = tangential.speed - 0.1 * (1.0 + contact.closed_form(1.5)?.row.restitution) * 1.5;
+//! assert!((rebound.tangential.speed / after - 1.0).abs() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

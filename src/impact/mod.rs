@@ -28,7 +28,7 @@ mod warnings;
 
 pub use dem::force::{ContactEnergy, Memory};
 pub use dem::friction::FrictionStep;
-pub use oblique::{Approach, FrictionState, ObliqueResult, Rebound};
+pub use oblique::{Approach, CrossMotion, FrictionState, ObliqueResult, Rebound, TangentialMotion};
 pub use problem::contact::{Contact, MaterialNames, StrainRateResult};
 pub use problem::error::ImpactError;
 pub use problem::forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces};

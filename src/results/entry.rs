@@ -58,10 +58,14 @@ pub enum Requirement {
     Thickness,
     /// An angle or a spin: without them nothing slides.
     Incidence,
+    /// A spin about the path or the normal: without them the sphere stays in its plane of incidence.
+    Cross,
     /// The mass of a free target: without it the target is fixed.
     Target,
     /// The mass of a free target, and an angle or a spin.
     Struck,
+    /// The mass of a free target, and a spin about the path or the normal.
+    StruckCross,
     /// Gravity or a drop height: without them the flight is not determined.
     Flight,
 }
@@ -88,8 +92,12 @@ impl Requirement {
             Self::Density => (WAVES, |_, row| row.wave_loss_fraction.is_some()),
             Self::Thickness => (PLATE, |_, row| row.plate.is_some()),
             Self::Incidence => (OBLIQUE, |_, row| row.rebound.is_some()),
+            Self::Cross => (CROSS, |_, row| row.rebound.is_some_and(|after| after.tangential.cross.is_some())),
             Self::Target => (FREE, |_, row| row.target_speed.is_some()),
             Self::Struck => (STRUCK, |_, row| row.rebound.is_some_and(|after| after.target.is_some())),
+            Self::StruckCross => (STRUCK_CROSS, |_, row| {
+                row.rebound.is_some_and(|after| after.target.is_some_and(|ball| ball.cross.is_some()))
+            }),
             Self::Flight => (FLIES, |_, row| row.rebound_height.is_some()),
         }
     }
@@ -135,8 +143,11 @@ pub(crate) const NOTES: &str =
     "a body yields, and the scenario does not define the kind of the strength or the exponent of the law";
 pub(crate) const WAVES: &str = "the half-space has a density and no mass, the target is no plate, the contact is not damped, and the sphere rebounds";
 pub(crate) const OBLIQUE: &str = "the impact is oblique, or the sphere spins";
+pub(crate) const CROSS: &str = "the sphere has a spin about its path or about the normal";
 pub(crate) const FREE: &str = "the target has a mass and is free to move";
 pub(crate) const STRUCK: &str = "the target is a second ball, and the impact is oblique or the sphere spins";
+pub(crate) const STRUCK_CROSS: &str =
+    "the target is a second ball, and the sphere has a spin about its path or about the normal";
 pub(crate) const FLIES: &str = "the scenario has gravity or a drop height";
 pub(crate) const AIR: &str = "the scenario has air";
 pub(crate) const FORCES: &str = "the scenario has gravity, damping or a plate";

@@ -8,7 +8,10 @@ use serde_json::{Value, json};
 use super::{Requirement, ResultSpec, result_specs};
 use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::FreeFlight;
-use crate::impact::{Contact, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound};
+use crate::impact::{
+    Contact, CrossMotion, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound,
+    TangentialMotion,
+};
 use crate::results::restitution_interval::RestitutionInterval;
 
 /// One impact.
@@ -89,9 +92,19 @@ fn rebound_value(row: &ImpactRow, value: fn(&Rebound) -> f64) -> Option<f64> {
     row.rebound.as_ref().map(value).filter(|value| value.is_finite())
 }
 
-/// Speed along the surface and spin of a second ball.
-fn target_value(row: &ImpactRow, place: usize) -> Option<f64> {
-    row.rebound.as_ref().and_then(|after| after.target).map(|target| target[place])
+/// A value of the motion out of the plane of incidence.
+fn cross_value(row: &ImpactRow, value: fn(&CrossMotion) -> f64) -> Option<f64> {
+    row.rebound.as_ref().and_then(|after| after.tangential.cross).as_ref().map(value)
+}
+
+/// A value of the tangential motion of a second ball.
+fn target_value(row: &ImpactRow, value: fn(&TangentialMotion) -> f64) -> Option<f64> {
+    row.rebound.as_ref().and_then(|after| after.target).as_ref().map(value)
+}
+
+/// A value of the motion of a second ball out of the plane of incidence.
+fn target_cross_value(row: &ImpactRow, value: fn(&CrossMotion) -> f64) -> Option<f64> {
+    row.rebound.as_ref().and_then(|after| after.target?.cross).as_ref().map(value)
 }
 
 /// The results of one impact, in the order of `summary.json`.
@@ -135,9 +148,15 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Speed of the target after the impact, in the direction of the impact.
         "target_speed_m_per_s" in Speed as "target speed" [Target: |row| row.target_speed];
         /// Speed of the target along the surface, in the direction of the sphere's path.
-        "target_tangential_speed_m_per_s" in Speed as "along the surface {}" [Struck: |row| target_value(row, 0)];
+        "target_tangential_speed_m_per_s" in Speed as "along the surface {}" [Struck: |row| target_value(row, |ball| ball.speed)];
         /// Spin of the target, in the direction of a sphere that rolls forward.
-        "target_spin_rad_per_s" in AngularSpeed as "spin {}" [Struck: |row| target_value(row, 1)];
+        "target_spin_rad_per_s" in AngularSpeed as "spin {}" [Struck: |row| target_value(row, |ball| ball.spin)];
+        /// Speed of the target across the sphere's path: positive to the left, seen from above.
+        "target_cross_speed_m_per_s" in Speed as "across the path {}"
+            [StruckCross: |row| target_cross_value(row, |ball| ball.speed)];
+        /// Spin of the target about the direction of the sphere's path.
+        "target_spin_about_path_rad_per_s" in AngularSpeed as "about the path {}"
+            [StruckCross: |row| target_cross_value(row, |ball| ball.spin_about_path)];
         /// Height of the rebound, with waves and air if the scenario has them.
         "rebound_height_m" in Length briefly "rebound height" [Flight: |row| row.rebound_height];
         /// Fraction of the drop energy m g h that the air absorbs by drag and buoyancy.
@@ -150,20 +169,33 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         });
         /// Terminal speed: the drag equals the weight.
         "terminal_speed_m_per_s" in Speed if AIR: single.flight_in_air().map(|flying| flying.terminal_speed());
-        /// Angle of the rebound from the normal, in degrees; negative if the tangential velocity reverses.
+        /// Angle of the rebound from the normal, in degrees; negative if the tangential velocity reverses. With a spin about the path
+        /// or the normal the angle is never negative, and `rebound_azimuth_deg` has the direction.
         "rebound_angle_deg" briefly "rebound angle (deg)" [Incidence: |row| rebound_value(row, |after| after.angle.to_degrees())];
-        /// Tangential speed of the sphere's centre after the impact over the tangential speed before; `null` for a normal impact.
+        /// Direction of the rebound along the surface, in degrees from the direction of the path: positive to the left, seen from above,
+        /// 180 if the sphere moves back; `null` for a rebound along the normal.
+        "rebound_azimuth_deg" as "azimuth {} deg"
+            [Cross: |row| rebound_value(row, |after| after.tangential.azimuth().to_degrees())];
+        /// Tangential speed of the sphere's centre in the direction of the path after the impact, over the tangential speed before; `null` for a normal impact.
         "tangential_restitution" as "tangential restitution"
             [Incidence: |row| rebound_value(row, |after| after.tangential_restitution)];
         /// Tangential restitution of the contact point: -s_1/s_0, with the slip speeds before and after the impact; `null` without
         /// slip before.
         "contact_point_restitution" as "contact-point restitution {}"
             [Incidence: |row| rebound_value(row, |after| after.contact_point_restitution)];
-        /// Speed of the sphere along the half-space after the impact.
+        /// Speed of the sphere along the half-space after the impact, in the direction of the path.
         "rebound_tangential_speed_m_per_s" in Speed as "speed along the surface"
-            [Incidence: |row| rebound_value(row, |after| after.tangential_speed)];
+            [Incidence: |row| rebound_value(row, |after| after.tangential.speed)];
+        /// Speed of the sphere across its path after the impact: positive to the left, seen from above.
+        "rebound_cross_speed_m_per_s" in Speed as "across the path {}" [Cross: |row| cross_value(row, |cross| cross.speed)];
         /// Spin of the sphere after the impact; positive for rolling forward.
-        "rebound_spin_rad_per_s" in AngularSpeed as "spin after" [Incidence: |row| rebound_value(row, |after| after.spin)];
+        "rebound_spin_rad_per_s" in AngularSpeed as "spin after" [Incidence: |row| rebound_value(row, |after| after.tangential.spin)];
+        /// Spin of the sphere about the direction of the path after the impact.
+        "rebound_spin_about_path_rad_per_s" in AngularSpeed as "about the path {}"
+            [Cross: |row| cross_value(row, |cross| cross.spin_about_path)];
+        /// Spin of the sphere about the normal after the impact, which is that before the impact.
+        "rebound_spin_about_normal_rad_per_s" in AngularSpeed as "about the normal {}"
+            [Cross: |row| cross_value(row, |cross| cross.spin_about_normal)];
         /// Tangential impulse over normal impulse. Positive if friction slows the sphere, negative if friction accelerates a
         /// spinning sphere; the magnitude is at most the coefficient of friction.
         "impulse_ratio" as "impulse ratio" [Incidence: |row| rebound_value(row, |after| after.impulse_ratio)];

@@ -44,6 +44,12 @@ impl SeriesReport<'_> {
         self.contact.forces().plate.map(|_| self.sequence.impacts.iter().filter_map(SeriesImpact::plate_energy).sum())
     }
 
+    /// The azimuth of the last rebound, in degrees, if the sphere has a spin out of the plane of incidence.
+    fn last_azimuth(&self) -> Option<f64> {
+        let last = self.sequence.impacts.last().filter(|hit| hit.cross_motion().is_some())?;
+        Some(last.impact.row.rebound.map_or(f64::NAN, |after| after.tangential.azimuth().to_degrees()))
+    }
+
     fn max_value(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
         self.sequence.impacts.iter().map(value).fold(0.0, nan_max)
     }
@@ -99,9 +105,15 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
             let flights = series.sequence.impacts.iter().filter_map(|hit| hit.flight);
             flights.map(|flight| flight.apex_height()).reduce(nan_max)
         });
-        /// Distance along the surface from the first impact to the last.
+        /// Distance from the first impact to the last, in the direction of the first path.
         "path_m" in Length as "path" if OBLIQUE:
-            series.sequence.impacts.last().filter(|hit| hit.tangential_speed().is_some()).map(|hit| hit.position);
+            series.sequence.impacts.last().filter(|hit| hit.tangential().is_some()).map(|hit| hit.position[0]);
+        /// Distance of the last impact from the first path: positive to the left, seen from above.
+        "cross_path_m" in Length as "across the path {}" if CROSS:
+            series.sequence.impacts.last().filter(|hit| hit.cross_motion().is_some()).map(|hit| hit.position[1]);
+        /// Direction of the last rebound along the surface, in degrees from the direction of the first path: positive to the left, seen
+        /// from above; `null` for a rebound along the normal and for a captured sphere.
+        "final_azimuth_deg" as "last azimuth (deg)" if CROSS: series.last_azimuth();
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" in Length as "final indentation" if CAPTURED:
             series.bouncing_settings().and_then(|_| series.sequence.impacts.last()?.forces_value(|forces| forces.static_indentation));
@@ -158,24 +170,34 @@ pub fn impact_columns<'a>() -> Vec<ResultSpec<(usize, &'a SeriesImpact)>> {
         "impact" as "impact": row.0;
         /// Time of first contact, since the release of the sphere; without a drop height, since the first contact of the series.
         "time_s" in Time as "time" if BOUNCES: row.1.time;
-        /// Distance of the impact from the first impact, along the surface.
-        "position_m" in Length as "place" if OBLIQUE: row.1.tangential_speed().map(|_| row.1.position);
+        /// Distance of the impact from the first impact, in the direction of the first path.
+        "position_m" in Length as "place" if OBLIQUE: row.1.tangential().map(|_| row.1.position[0]);
+        /// Distance of the impact from the first path: positive to the left, seen from above.
+        "cross_position_m" in Length as "across" if CROSS: row.1.cross_motion().map(|_| row.1.position[1]);
         /// Normal speed at first contact.
         "impact_speed_m_per_s" in Speed as "speed": row.1.approach.normal;
-        /// Tangential speed of the sphere at first contact.
-        "tangential_speed_m_per_s" in Speed as "along" if OBLIQUE: row.1.tangential_speed();
+        /// Tangential speed of the sphere at first contact, in the direction of the first path.
+        "tangential_speed_m_per_s" in Speed as "along" if OBLIQUE: row.1.tangential().map(|motion| motion.speed);
+        /// Speed across the first path at first contact: positive to the left, seen from above.
+        "cross_speed_m_per_s" in Speed if CROSS: row.1.cross_motion().map(|cross| cross.speed);
         /// Spin of the sphere at first contact; positive for rolling forward.
-        "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.friction.map(|_| row.1.approach.spin);
+        "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.tangential().map(|motion| motion.spin);
+        /// Spin about the direction of the first path at first contact.
+        "spin_about_path_rad_per_s" in AngularSpeed if CROSS: row.1.cross_motion().map(|cross| cross.spin_about_path);
         /// Coefficient of restitution by the law; 0 if captured.
         "restitution" as "e": row.1.impact.row.restitution;
         /// Restitution reduced by the energy of elastic waves.
         "restitution_with_waves" as "with waves" if WAVES: row.1.impact.row.restitution_with_waves();
         /// Rebound speed at the start of the flight; with waves if the half-space has a density.
         "rebound_speed_m_per_s" in Speed as "rebound": row.1.rebound_speed;
-        /// Tangential speed of the sphere at the start of the flight.
-        "rebound_tangential_speed_m_per_s" in Speed if OBLIQUE: row.1.impact.row.rebound.map(|after| after.tangential_speed);
+        /// Tangential speed of the sphere at the start of the flight, in the direction of the first path.
+        "rebound_tangential_speed_m_per_s" in Speed if OBLIQUE: row.1.impact.row.rebound.map(|after| after.tangential.speed);
+        /// Speed across the first path at the start of the flight: positive to the left, seen from above.
+        "rebound_cross_speed_m_per_s" in Speed if CROSS: row.1.cross_motion_after().map(|cross| cross.speed);
         /// Spin of the sphere in the flight.
-        "rebound_spin_rad_per_s" in AngularSpeed if OBLIQUE: row.1.impact.row.rebound.map(|after| after.spin);
+        "rebound_spin_rad_per_s" in AngularSpeed if OBLIQUE: row.1.impact.row.rebound.map(|after| after.tangential.spin);
+        /// Spin about the direction of the first path in the flight.
+        "rebound_spin_about_path_rad_per_s" in AngularSpeed if CROSS: row.1.cross_motion_after().map(|cross| cross.spin_about_path);
         /// Maximum contact force.
         "peak_force_N" in Force as "peak force": row.1.impact.row.peak_force;
         /// Maximum indentation, from the original surface.
@@ -217,6 +239,7 @@ pub struct SeriesTraceRow {
     pub impact: usize,
     pub time: f64,
     pub position: Option<f64>,
+    pub cross_position: Option<f64>,
     pub height: f64,
     pub speed: f64,
     pub force: f64,
@@ -231,8 +254,10 @@ pub fn trace_columns() -> Vec<ResultSpec<SeriesTraceRow>> {
         "impact": row.impact;
         /// Time since the start of the series; for given speeds, time since each first contact.
         "time_s" in Time: row.time;
-        /// Distance from the first impact, along the surface.
+        /// Distance from the first impact, in the direction of the first path.
         "position_m" in Length if OBLIQUE: row.position;
+        /// Distance from the first path: positive to the left, seen from above.
+        "cross_position_m" in Length if CROSS: row.cross_position;
         /// Height of the lowest point of the sphere over the original surface; negative in contact.
         "height_m" in Length: row.height;
         /// Speed towards the half-space.

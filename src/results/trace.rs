@@ -1,7 +1,7 @@
 //! The columns of the trace of one impact, `trace.csv`.
 
 use super::{ResultSpec, result_specs};
-use crate::impact::{Event, FrictionState, TraceRow};
+use crate::impact::{CrossMotion, Event, FrictionState, TraceRow};
 
 /// The columns, in their order.
 pub fn trace_results() -> Vec<ResultSpec<TraceRow>> {
@@ -22,14 +22,19 @@ pub fn trace_results() -> Vec<ResultSpec<TraceRow>> {
         "force_N" in Force: row.force;
         /// Force of the contact law alone.
         "elastic_force_N" in Force if DAMPING: row.elastic_force;
-        /// Slip speed of the contact point: tangential speed of the centre minus radius times spin.
+        /// Slip speed of the contact point: tangential speed of the centre minus radius times spin. With a spin about the path it is the
+        /// magnitude of this difference as a vector, negative backwards.
         "slip_speed_m_per_s" in Speed if OBLIQUE: friction_value(row, |friction| friction.slip_speed);
-        /// Friction force on the sphere; negative against its path.
+        /// Friction force on the sphere, along the line of the slip; negative against the path.
         "friction_force_N" in Force if OBLIQUE: friction_value(row, |friction| friction.friction_force);
-        /// Tangential speed of the centre.
-        "tangential_speed_m_per_s" in Speed if OBLIQUE: friction_value(row, |friction| friction.tangential_speed);
+        /// Tangential speed of the centre in the direction of the path.
+        "tangential_speed_m_per_s" in Speed if OBLIQUE: friction_value(row, |friction| friction.tangential.speed);
         /// Spin; positive for rolling forward.
-        "spin_rad_per_s" in AngularSpeed if OBLIQUE: friction_value(row, |friction| friction.spin);
+        "spin_rad_per_s" in AngularSpeed if OBLIQUE: friction_value(row, |friction| friction.tangential.spin);
+        /// Speed of the centre across the path: positive to the left, seen from above.
+        "cross_speed_m_per_s" in Speed if CROSS: cross_value(row, |cross| cross.speed);
+        /// Spin about the direction of the path.
+        "spin_about_path_rad_per_s" in AngularSpeed if CROSS: cross_value(row, |cross| cross.spin_about_path);
         /// Branch of the law: `elastic`, `plastic`, `reloading` or `unloading`.
         "branch": row.branch.name();
         /// Event in this row: `touch`, `yield`, `knot` (segment boundary of the loading curve), `peak`, `relaxation` (of a strength
@@ -41,6 +46,11 @@ pub fn trace_results() -> Vec<ResultSpec<TraceRow>> {
 /// A value of friction, if the sphere came in at an angle, or spinning.
 fn friction_value(row: &TraceRow, value: fn(&FrictionState) -> f64) -> Option<f64> {
     row.friction.as_ref().map(value)
+}
+
+/// A value of the motion out of the plane of incidence, if the sphere has a spin out of this plane.
+fn cross_value(row: &TraceRow, value: fn(&CrossMotion) -> f64) -> Option<f64> {
+    row.friction.as_ref().and_then(|friction| friction.tangential.cross).as_ref().map(value)
 }
 
 /// The word for an event; empty for an ordinary row.

@@ -55,7 +55,7 @@ pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
         let Some(after) = rebound(&alumina, angle.to_radians(), FRICTION)? else { continue };
         let (group, numbers) = match row.cell_text("quantity") {
             "tangential_restitution" => (TANGENTIAL, [value, after.tangential_restitution]),
-            "spin_rad_per_s" => (SPIN, [value, after.spin].map(|spin| spin * RADIUS / SPEED)),
+            "spin_rad_per_s" => (SPIN, [value, after.tangential.spin].map(|spin| spin * RADIUS / SPEED)),
             _ => (ANGLE, [value.to_radians(), after.angle]),
         };
         compared.push(group.compare(format!("{angle} deg"), numbers));

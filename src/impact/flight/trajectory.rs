@@ -18,10 +18,10 @@ pub struct Flight {
     pub landing_speed: f64,
     /// Gravity and air.
     pub flying: FreeFlight,
-    /// The place along the surface at which it begins \[m\].
-    pub position: f64,
-    /// Speed along the surface \[m/s\], which stays.
-    pub tangential_speed: f64,
+    /// The place on the surface at which it begins \[m\]: along the path of the first impact, and to the left of this path.
+    pub position: [f64; 2],
+    /// Velocity along the surface \[m/s\], which stays.
+    pub tangential_velocity: [f64; 2],
 }
 
 impl Flight {
@@ -29,7 +29,16 @@ impl Flight {
     pub fn from_drop(flying: FreeFlight, height: f64) -> Self {
         let landing_speed = flying.landing_speed(height);
         let duration = flying.fall_time(height);
-        Self { begin: 0.0, duration, height, speed: 0.0, landing_speed, flying, position: 0.0, tangential_speed: 0.0 }
+        Self {
+            begin: 0.0,
+            duration,
+            height,
+            speed: 0.0,
+            landing_speed,
+            flying,
+            position: [0.0; 2],
+            tangential_velocity: [0.0; 2],
+        }
     }
 
     /// Upwards at `speed` from the depth `from` until the next touch at the depth `to`, both below the original surface;
@@ -47,8 +56,8 @@ impl Flight {
             speed,
             landing_speed,
             flying,
-            position: 0.0,
-            tangential_speed: 0.0,
+            position: [0.0; 2],
+            tangential_velocity: [0.0; 2],
         };
         if flying.has_air() {
             let fall = flying.rise_height(speed) - (from - to);
@@ -75,14 +84,14 @@ impl Flight {
         begun.unwrap_or(*self)
     }
 
-    /// Returns the flight of a ball that starts at this place along the surface, and moves along the surface at this speed.
-    pub fn with_tangential_motion(self, position: f64, speed_along: f64) -> Self {
-        Self { position, tangential_speed: speed_along, ..self }
+    /// Returns the flight of a ball that starts at this place on the surface, and moves along the surface at this velocity.
+    pub fn with_tangential_motion(self, position: [f64; 2], tangential_velocity: [f64; 2]) -> Self {
+        Self { position, tangential_velocity, ..self }
     }
 
-    /// The place along the surface \[m\] at a time since the beginning \[s\].
-    pub fn position_at(&self, time: f64) -> f64 {
-        self.position + self.tangential_speed * time
+    /// The place on the surface \[m\] at a time since the beginning \[s\].
+    pub fn position_at(&self, time: f64) -> [f64; 2] {
+        [0, 1].map(|axis| self.position[axis] + self.tangential_velocity[axis] * time)
     }
 
     /// Height over the original surface \[m\] at a time since the beginning \[s\].

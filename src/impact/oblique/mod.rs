@@ -1,20 +1,8 @@
-//! Oblique impact with Coulomb friction, in the plane of incidence.
+//! Oblique impact with Coulomb friction.
 //!
-//! The normal motion does not depend on friction (exact for equal bodies, and for a rigid body on an incompressible one). With the
-//! tangential speed v_t, the spin ω > 0 of rolling forward, the slip speed s of the contact point and the friction T:
-//!
-//! ```text
-//! s = v_t − R ω,   m v_t' = T,   I ω' = −R T,   s' = (j/m) T,   j = 1 + m R²/I     (7/2 for a solid sphere)
-//! J = m (s_1 − s_0)/j,   v_t1 = v_t + J/m,   ω_1 = ω − R J/I
-//! ```
-//!
-//! A free second ball receives the opposite impulse. Then s is reduced by the speed of this ball at the contact point, and
-//!
-//! ```text
-//! j = m* (1/m_s + R_s²/I_s + 1/m_h + R_h²/I_h),   J = m* (s_1 − s_0)/j,   v_h = −J/m_h,   ω_h = −R_h J/I_h        I = (2/5) m R²
-//! ```
-//!
-//! So s_1/s_0 is the only unknown. With γ = G*/E*, 1/G* = (2 − ν_s)/G_s + (2 − ν_h)/G_h, and the normal speed v_n:
+//! The normal motion does not depend on friction (exact for equal bodies, and for a rigid body on an incompressible one). The
+//! tangential motion has one unknown: the slip speed s of the contact point after the impact over the slip speed before, s_1/s_0
+//! ([`slip`]). With γ = G*/E*, 1/G* = (2 − ν_s)/G_s + (2 − ν_h)/G_h, j = 1 + m R²/I, and the normal speed v_n:
 //!
 //! ```text
 //! ψ_1 = 4γ s_0/(μ v_n),   ψ_2 = 4γ s_1/(μ v_n),   χ = 2γ j
@@ -28,8 +16,10 @@
 mod approach;
 mod kinks;
 pub mod mindlin;
+mod motion;
 pub mod normal_motion;
 mod profile;
+mod slip;
 
 use super::problem::contact::Contact;
 use super::problem::error::ImpactError;
@@ -41,25 +31,25 @@ use crate::contact::law::UnloadingRule;
 use crate::numerics::functions::atan2;
 pub use approach::Approach;
 use mindlin::SlipResult;
+pub use motion::{CrossMotion, TangentialMotion};
 use normal_motion::NormalMotion;
+use slip::{Slip, SlipBalance};
 
 /// The results of an oblique impact that are columns of a table. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rebound {
-    /// v_t1 \[m/s\].
-    pub tangential_speed: f64,
-    /// ω_1 \[rad/s\].
-    pub spin: f64,
-    /// From the normal \[rad\]; negative if the sphere moves backwards.
+    /// Tangential velocity and spin.
+    pub tangential: TangentialMotion,
+    /// From the normal \[rad\]. In the plane of incidence negative if the sphere moves backwards.
     pub angle: f64,
-    /// v_t1/v_t; NaN without v_t.
+    /// v_x1/v_x; NaN without v_x.
     pub tangential_restitution: f64,
     /// −s_1/s_0; NaN without s_0.
     pub contact_point_restitution: f64,
-    /// −J_t over the normal impulse: positive if friction slows v_t; its magnitude is at most μ.
+    /// −J over the normal impulse: positive if friction slows v_x; its magnitude is at most μ.
     pub impulse_ratio: f64,
-    /// Speed \[m/s\] along the surface and spin \[rad/s\] of a second ball.
-    pub target: Option<[f64; 2]>,
+    /// Tangential velocity and spin of a second ball.
+    pub target: Option<TangentialMotion>,
     /// Energy absorbed by friction, over ½ m* v².
     pub loss_fraction: f64,
     /// True if the contact point slides during the whole contact.
@@ -80,27 +70,25 @@ impl Rebound {
 /// The energies and the momentum of an oblique impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ObliqueResult {
-    /// ½ m v_t² + ½ I ω² before the impact \[J\].
+    /// ½ m |V|² + ½ I |Ω|² of the tangential velocity and the spin before the impact \[J\].
     pub kinetic_in: f64,
     /// This energy after the impact \[J\], with the energy of a second ball.
     pub recovered: f64,
     /// Energy absorbed by friction \[J\], ½ (m*/j)(s_0² − s_1²).
     pub loss: f64,
-    /// Change of m v_t R + I ω, over the larger of its two parts.
+    /// Change of the angular momentum R z × m V + I Ω about the contact point, over its largest part.
     pub momentum_error: f64,
 }
 
 /// Friction on one row of a trace. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionState {
-    /// s \[m/s\].
+    /// s \[m/s\]; negative backwards.
     pub slip_speed: f64,
-    /// T \[N\] on the sphere; negative against forward motion.
+    /// T \[N\] on the sphere, on the line of the slip; negative against forward motion.
     pub friction_force: f64,
-    /// v_t \[m/s\].
-    pub tangential_speed: f64,
-    /// ω \[rad/s\].
-    pub spin: f64,
+    /// Tangential velocity and spin.
+    pub tangential: TangentialMotion,
 }
 
 impl Contact {
@@ -155,8 +143,7 @@ pub(super) struct ObliqueImpact<'a> {
     approach: Approach,
     /// μ.
     friction: f64,
-    /// s_0.
-    slip: f64,
+    slip: Slip,
     /// ψ_1.
     psi: f64,
     chi: f64,
@@ -197,12 +184,9 @@ impl<'a> ObliqueImpact<'a> {
             InvalidInput::check("moment of inertia (kg m^2)", moment, moment > 0.0, "it must be a positive number")?;
         }
         InvalidInput::check("coefficient of friction", friction, friction >= 0.0, "it must be 0 or a positive number")?;
-        let Approach { normal, along, spin, .. } = approach;
-        let rolls = contact.sphere().radius * spin;
-        // a sphere rolls if the difference is rounding
-        let slip = along - rolls;
-        let slip = if slip.abs() <= 4.0 * f64::EPSILON * rolls.abs() { 0.0 } else { slip };
-        let psi = if slip == 0.0 { 0.0 } else { 4.0 * contact.shear_ratio() * slip / (friction * normal) };
+        let slip = Slip::new(approach.tangential, contact.sphere().radius);
+        let at_contact = 4.0 * contact.shear_ratio() * slip.speed;
+        let psi = if slip.speed == 0.0 { 0.0 } else { at_contact / (friction * approach.normal) };
         Ok(Some(Self { contact, case, outcome, approach, friction, slip, psi, chi: contact.chi() }))
     }
 
@@ -245,7 +229,7 @@ impl<'a> ObliqueImpact<'a> {
     /// # Errors
     /// [`ImpactError::SmallInertia`] if the contact point oscillates too often for a run.
     pub(super) fn slip_result(&self, is_followed: bool) -> Result<SlipResult, ImpactError> {
-        if self.slip == 0.0 {
+        if self.slip.speed == 0.0 {
             return Ok(SlipResult::without_steps(0.0, false));
         }
         if self.slides_throughout() {
@@ -285,31 +269,29 @@ impl<'a> ObliqueImpact<'a> {
     }
 
     pub(super) fn rebound(&self, slip: &SlipResult) -> Result<Rebound, OutOfFloatRange> {
-        let Approach { normal, along: tangential, .. } = self.approach;
+        let normal = self.approach.normal;
         let (rebound, _) = self.contact.speeds_after(normal, self.outcome.restitution);
-        let [tangential_speed, spin] = self.tangential_speed_and_spin(self.slip * slip.ratio);
+        let (before, after) = (self.slip.speed, self.slip.speed * slip.ratio);
+        let tangential = self.slip.sphere_at(self.contact, after);
         let lost = self.friction_loss(slip);
-        let whole = normal * normal + tangential * tangential;
-        if !(tangential_speed.is_finite() && spin.is_finite() && lost.is_finite()) {
-            return Err(OutOfFloatRange {
-                quantity: "tangential speed after the impact (m/s)",
-                value: tangential_speed,
-            });
+        let [x, y] = self.approach.tangential.velocity();
+        let velocity = tangential.velocity();
+        if !velocity.iter().chain(&tangential.spins()).chain([&lost]).all(|value| value.is_finite()) {
+            return Err(OutOfFloatRange { quantity: "tangential speed after the impact (m/s)", value: velocity[0] });
         }
-        let is_slipping = self.slip != 0.0;
+        let is_slipping = before != 0.0;
         Ok(Rebound {
-            tangential_speed,
-            spin,
-            angle: atan2(tangential_speed, rebound),
-            tangential_restitution: tangential_speed / tangential,
+            tangential,
+            angle: atan2(tangential.signed_speed(), rebound),
+            tangential_restitution: velocity[0] / self.approach.tangential.speed,
             contact_point_restitution: if is_slipping { -slip.ratio } else { f64::NAN },
             impulse_ratio: if slip.is_sliding && is_slipping {
-                self.friction.copysign(self.slip)
+                self.friction.copysign(before)
             } else {
-                self.slip * (1.0 - slip.ratio) / (self.contact.slip_factor() * self.impulse() * normal)
+                before * (1.0 - slip.ratio) / (self.contact.slip_factor() * self.impulse() * normal)
             },
-            target: self.target_motion(self.slip * slip.ratio),
-            loss_fraction: lost / whole,
+            target: self.slip.target_at(self.contact, after),
+            loss_fraction: lost / (normal * normal + x * x + y * y),
             is_sliding: slip.is_sliding,
             psi: self.psi,
             error: slip.error,
@@ -318,66 +300,37 @@ impl<'a> ObliqueImpact<'a> {
 
     /// (s_0² − s_1²)/j: the energy absorbed by friction, over ½ m*.
     fn friction_loss(&self, slip: &SlipResult) -> f64 {
-        self.slip * self.slip * (1.0 - slip.ratio * slip.ratio) / self.contact.slip_factor()
+        let before = self.slip.speed;
+        before * before * (1.0 - slip.ratio * slip.ratio) / self.contact.slip_factor()
     }
 
     /// The rest of the results of one impact.
     pub(super) fn result(&self, slip: &SlipResult) -> ObliqueResult {
-        let (mass, radius) = (self.contact.mass(), self.contact.sphere().radius);
-        let of_solid = || mass * radius / 2.5 * radius;
-        let moment = self.contact.moment_of_inertia().unwrap_or_else(of_solid);
-        let energy = |speed: f64, spin: f64| 0.5 * (mass * speed * speed + moment * spin * spin);
-        let [speed, spin] = self.tangential_speed_and_spin(self.slip * slip.ratio);
-        let Approach { along: before, spin: spin_before, .. } = self.approach;
-        let parts = [mass * radius * (speed - before), moment * (spin - spin_before)];
-        let of_target = self.target_motion(self.slip * slip.ratio).zip(self.contact.target_mass());
-        let of_target = of_target.map_or(0.0, |([speed, spin], mass)| {
-            let rim = self.contact.half_space().ball_radius().unwrap_or(0.0) * spin;
-            0.5 * mass * (speed * speed + 0.4 * rim * rim)
-        });
-        let size = (mass * radius * before).abs().max((moment * spin_before).abs()).max(parts[0].abs());
-        ObliqueResult {
-            kinetic_in: energy(before, spin_before),
-            recovered: energy(speed, spin) + of_target,
-            loss: 0.5 * self.contact.reduced_mass() * self.friction_loss(slip),
-            momentum_error: if size > 0.0 { (parts[0] + parts[1]).abs() / size } else { 0.0 },
-        }
-    }
-
-    /// Tangential speed and spin at this slip speed.
-    fn tangential_speed_and_spin(&self, slip: f64) -> [f64; 2] {
-        let share = self.contact.reduced_mass() / self.contact.mass();
-        let change = share * ((slip - self.slip) / self.contact.slip_factor());
-        let spin = self.approach.spin - self.contact.spin_factor() * change / self.contact.sphere().radius;
-        [self.approach.along + change, spin]
-    }
-
-    /// Tangential speed and spin of a second ball at this slip speed.
-    fn target_motion(&self, slip: f64) -> Option<[f64; 2]> {
-        let share = self.contact.reduced_mass() / self.contact.target_mass()?;
-        let speed = share * ((self.slip - slip) / self.contact.slip_factor());
-        Some([speed, 2.5 * speed / self.contact.half_space().ball_radius()?])
+        let SlipBalance { kinetic_in, recovered, momentum_error } =
+            self.slip.balance(self.contact, self.slip.speed * slip.ratio);
+        let loss = 0.5 * self.contact.reduced_mass() * self.friction_loss(slip);
+        ObliqueResult { kinetic_in, recovered, loss, momentum_error }
     }
 
     /// Friction at a time \[s\], for this speed of the sphere towards the half-space and this contact force. SI units.
     pub(super) fn friction_at(&self, slip: &SlipResult, time: f64, speed: f64, force: f64) -> FrictionState {
         let (mu, scales) = (self.friction, &self.case.scales);
-        let direction = self.slip.signum();
+        let before = self.slip.speed;
+        let direction = before.signum();
         let (slip_speed, friction_force) = match () {
-            () if self.slip == 0.0 => (0.0, 0.0),
+            () if before == 0.0 => (0.0, 0.0),
             () if slip.steps.is_empty() => {
                 let slowed = self.contact.slip_factor() * mu * (self.approach.normal - speed);
-                (self.slip - direction * slowed, -direction * mu * force)
+                (before - direction * slowed, -direction * mu * force)
             }
-            () if time >= (1.0 - 1e-8) * slip.end * scales.time() => (self.slip * slip.ratio, 0.0),
+            () if time >= (1.0 - 1e-8) * slip.end * scales.time() => (before * slip.ratio, 0.0),
             () => {
                 let impulse = (self.approach.normal - speed) / scales.speed / FORCE_FACTOR
                     + self.case.forces.weight * time / scales.time();
                 let [share, of_force] = slip.slip_and_force(time / scales.time(), force / scales.units.force, impulse);
-                (share * self.slip, direction * mu * scales.units.force * of_force)
+                (share * before, direction * mu * scales.units.force * of_force)
             }
         };
-        let [tangential_speed, spin] = self.tangential_speed_and_spin(slip_speed);
-        FrictionState { slip_speed, friction_force, tangential_speed, spin }
+        FrictionState { slip_speed, friction_force, tangential: self.slip.sphere_at(self.contact, slip_speed) }
     }
 }

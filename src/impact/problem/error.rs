@@ -70,7 +70,7 @@ pub enum ImpactError {
     FreeUnderGravity,
     /// A body whose moment of inertia is not known.
     #[error(
-        "an oblique impact on a free target requires a ball. Write half_space.mass = \"ball\", or remove impact.angle and sphere.spin."
+        "an oblique impact on a free target requires a ball. Write half_space.mass = \"ball\", or remove impact.angle and the spin of the sphere."
     )]
     NoBall,
     /// An impact on this plate is not possible.

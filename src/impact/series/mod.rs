@@ -106,7 +106,7 @@ impl ImpactSeries {
         match self.mode {
             SeriesMode::Shots(ref speeds) => {
                 for speed in speeds.iter().take_while(|_| !progress.is_stopped()) {
-                    let hit = run.next_impact((*speed).into(), None, 0.0)?;
+                    let hit = run.next_impact((*speed).into(), None, [0.0; 2])?;
                     run.result.impacts.push(hit);
                 }
             }
@@ -140,7 +140,7 @@ impl SeriesRun<'_> {
         &mut self,
         approach: Approach,
         time: Option<f64>,
-        position: f64,
+        position: [f64; 2],
     ) -> Result<SeriesImpact, ImpactError> {
         if self.spot_mode == SpotMode::Fresh {
             self.spot = Spot::new();
@@ -166,7 +166,7 @@ impl SeriesRun<'_> {
         let flight = Flight::from_rebound(*flying, end, hit.end_indentation(), hit.rebound_speed, touch);
         // without a dent, or on the same spot, the sphere falls back into its contact
         let flight = flight.ok_or(if is_fresh && dent > 0.0 { SeriesEnd::InDent } else { SeriesEnd::Captured })?;
-        Ok(flight.with_tangential_motion(hit.position + hit.tangential_travel(), hit.rebound_tangential_speed()))
+        Ok(flight.with_tangential_motion(hit.end_position(), hit.rebound_tangential_velocity()))
     }
 
     /// Bounces until the series ends by rule; returns the reason.
@@ -177,7 +177,7 @@ impl SeriesRun<'_> {
         most: u64,
         until: Option<f64>,
     ) -> Result<SeriesEnd, ImpactError> {
-        let (mut time, mut position) = (self.result.fall.map_or(0.0, |fall| fall.duration), 0.0);
+        let (mut time, mut position) = (self.result.fall.map_or(0.0, |fall| fall.duration), [0.0; 2]);
         loop {
             let mut hit = self.next_impact(approach, Some(time), position)?;
             let flight = self.flight_after(&hit, time + hit.impact.row.contact_time, flying);

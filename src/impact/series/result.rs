@@ -2,7 +2,7 @@
 
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::flight::trajectory::Flight;
-use crate::impact::{Approach, ForcesResult, Impact, ImpactEnd, Method, Warning};
+use crate::impact::{Approach, CrossMotion, ForcesResult, Impact, ImpactEnd, Method, TangentialMotion, Warning};
 use crate::numerics::power::nan_max;
 use crate::strings::names::named_enum;
 
@@ -28,8 +28,8 @@ named_enum! {
 pub struct SeriesImpact {
     /// Time of first contact \[s\]; `None` for shots.
     pub time: Option<f64>,
-    /// Position of this impact along the surface \[m\]; 0 for the first impact.
-    pub position: f64,
+    /// Position of this impact on the surface \[m\]: along the path of the first impact, and to the left of this path.
+    pub position: [f64; 2],
     /// How the sphere comes in.
     pub approach: Approach,
     /// The impact. Its warnings are those of the series, and only the first impacts have a trace.
@@ -59,7 +59,13 @@ pub struct SeriesResult {
 }
 
 impl SeriesImpact {
-    pub(super) fn new(impact: Impact, approach: Approach, time: Option<f64>, position: f64, dent_before: f64) -> Self {
+    pub(super) fn new(
+        impact: Impact,
+        approach: Approach,
+        time: Option<f64>,
+        position: [f64; 2],
+        dent_before: f64,
+    ) -> Self {
         let rebound_speed = impact.row.measured_restitution() * approach.normal;
         let dent_growth = impact.row.residual_indentation - dent_before;
         Self { time, position, approach, impact, rebound_speed, dent_growth, flight: None }
@@ -71,26 +77,37 @@ impl SeriesImpact {
         self.impact.row.kinetic_in * (restitution * restitution)
     }
 
-    /// Speed along the surface before the impact \[m/s\], if the sphere comes at an angle or spins.
-    pub fn tangential_speed(&self) -> Option<f64> {
-        self.approach.friction.map(|_| self.approach.along)
+    /// Tangential velocity and spin before the impact, if the sphere comes at an angle or spins.
+    pub fn tangential(&self) -> Option<TangentialMotion> {
+        self.approach.friction.map(|_| self.approach.tangential)
     }
 
-    /// Speed along the surface after the impact \[m/s\].
-    pub(super) fn rebound_tangential_speed(&self) -> f64 {
-        self.impact.row.rebound.map_or(0.0, |rebound| rebound.tangential_speed)
+    /// The motion out of the first plane of incidence before the impact, if the sphere has a spin out of this plane.
+    pub fn cross_motion(&self) -> Option<CrossMotion> {
+        self.tangential()?.cross
     }
 
-    /// Displacement of the sphere along the surface in contact \[m\], at the mean of the speeds before and after.
-    pub(super) fn tangential_travel(&self) -> f64 {
-        0.5 * (self.tangential_speed().unwrap_or(0.0) + self.rebound_tangential_speed()) * self.impact.row.contact_time
+    /// This motion after the impact; `None` for a captured sphere.
+    pub fn cross_motion_after(&self) -> Option<CrossMotion> {
+        self.impact.row.rebound?.tangential.cross
     }
 
-    /// The approach of the next impact, for this landing speed.
+    /// Tangential velocity after the impact \[m/s\].
+    pub(super) fn rebound_tangential_velocity(&self) -> [f64; 2] {
+        self.impact.row.rebound.map_or([0.0; 2], |rebound| rebound.tangential.velocity())
+    }
+
+    /// The place on the surface at separation \[m\], with the mean of the velocities before and after during the contact.
+    pub(super) fn end_position(&self) -> [f64; 2] {
+        let before = self.tangential().map_or([0.0; 2], |motion| motion.velocity());
+        let after = self.rebound_tangential_velocity();
+        [0, 1].map(|axis| self.position[axis] + 0.5 * (before[axis] + after[axis]) * self.impact.row.contact_time)
+    }
+
+    /// The approach of the next impact, for this landing speed. The flight changes neither the tangential velocity nor the spin.
     pub(super) fn next_approach(&self, landing_speed: f64) -> Approach {
-        let turned = self.impact.row.rebound.map(|rebound| (rebound.tangential_speed, rebound.spin));
-        let (along, spin) = turned.unwrap_or((self.approach.along, self.approach.spin));
-        Approach { normal: landing_speed, along, spin, ..self.approach }
+        let tangential = self.impact.row.rebound.map_or(self.approach.tangential, |rebound| rebound.tangential);
+        Approach { normal: landing_speed, tangential, ..self.approach }
     }
 
     /// The energy that elastic waves carry away \[J\], if the half-space has a density.

@@ -5,7 +5,7 @@ use crate::contact::body::Support;
 use crate::error::{Error, ErrorKind};
 use crate::impact::Contact;
 use crate::numerics::functions::cos;
-use crate::scenario::input::Input;
+use crate::scenario::input::{Input, OBLIQUE_KEYS, SPIN_KEYS};
 use crate::scenario::keys::key;
 use crate::scenario::{Kind, Scenario};
 
@@ -52,13 +52,8 @@ impl ExportedContact {
         };
         left_out.splice(0..0, table);
         let friction = input.number(key!("friction.coefficient"));
-        for key in [
-            key!("gravity.acceleration"),
-            key!("impact.drop_height"),
-            key!("impact.angle"),
-            key!("sphere.spin"),
-            key!("air.density"),
-        ] {
+        let of_motion = [key!("gravity.acceleration"), key!("impact.drop_height"), key!("air.density")];
+        for key in of_motion.into_iter().chain(OBLIQUE_KEYS) {
             input.set(key, None);
         }
         let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
@@ -83,12 +78,9 @@ fn omitted_parts(input: &Input) -> Vec<String> {
     if has(key!("impact.angle")) {
         left_out.push("impact.angle is left out: the speed is the part that is normal to the wall".to_owned());
     }
-    let keys = [
-        ("sphere.spin", key!("sphere.spin")),
-        ("[gravity]", key!("gravity.acceleration")),
-        ("[air]", key!("air.density")),
-    ];
-    left_out.extend(keys.into_iter().filter(|(_, key)| has(*key)).map(|(name, _)| by_itself(name)));
+    let tables = [("[gravity]", key!("gravity.acceleration")), ("[air]", key!("air.density"))];
+    let keys = SPIN_KEYS.map(|key| (key.path(), key)).into_iter().chain(tables);
+    left_out.extend(keys.filter(|(_, key)| has(*key)).map(|(name, _)| by_itself(name)));
     left_out
 }
 

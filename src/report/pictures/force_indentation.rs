@@ -61,7 +61,7 @@ pub(in crate::report) fn force_at_peak(impact: &Impact) -> String {
 /// The title of the pictures of one impact: whole speed, angle and normal restitution.
 pub(in crate::report) fn title(impact: &Impact) -> String {
     let first = impact.trace.first();
-    let friction = first.and_then(|row| Some((row.speed, row.friction?.tangential_speed)));
+    let friction = first.and_then(|row| Some((row.speed, row.friction?.tangential.speed)));
     let angle = friction.map_or_else(String::new, |(normal, along)| {
         format!(" and {}°", format_four_digits(atan2(along, normal).to_degrees()))
     });

@@ -1,4 +1,4 @@
-//! Friction force, slip speed and spin of an oblique impact against time, in three boxes one above the other.
+//! Friction force, slip speed and spin of an oblique impact against time, in boxes one above the other.
 
 use super::force_indentation::title;
 use crate::impact::Impact;
@@ -22,11 +22,16 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
         panel
     };
     let after = |value, dimension| Some(format!("{} at the end", format_result(value, dimension)));
-    let panels = vec![
+    let mut panels = vec![
         panel("Friction", "N", 3, |row| row.friction_force, None),
         panel("Slip speed", "m/s", 1, |row| row.slip_speed, after(last.slip_speed, Dimension::Speed)),
-        panel("Spin", "rad/s", 2, |row| row.spin, after(last.spin, Dimension::AngularSpeed)),
+        panel("Spin", "rad/s", 2, |row| row.tangential.spin, after(last.tangential.spin, Dimension::AngularSpeed)),
     ];
+    if let Some(cross) = last.tangential.cross {
+        let about_path = |row: &FrictionState| row.tangential.cross.map_or(0.0, |cross| cross.spin_about_path);
+        let note = after(cross.spin_about_path, Dimension::AngularSpeed);
+        panels.push(panel("Spin about path", "rad/s", 4, about_path, note));
+    }
     let x = Axis::linear("Time", "s").with_range(0.0, 1.03 * impact.duration());
     let peak = Series::vertical(impact.loading_time, "deepest point").with_style(Style::line(GREY, 2.0));
     Some(Chart::with_panels(title(impact), x, panels).with_guides([peak]))

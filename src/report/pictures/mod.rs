@@ -7,6 +7,7 @@ mod friction;
 mod history;
 mod indentation;
 mod loops;
+pub mod path;
 mod posterior;
 pub mod series;
 pub mod sweep;

@@ -11,7 +11,8 @@ use crate::report::chart::{Axis, Chart, GREY, Panel, Series, Style};
 use crate::strings::capitalise;
 use crate::units::{Dimension, format_four_digits, format_result};
 
-const FLIGHT_POINTS: u32 = 48;
+/// Points of the curve of one flight.
+pub(super) const FLIGHT_POINTS: u32 = 48;
 /// Points of all flights together; more are not needed for a picture of 1600 px.
 const MAX_POINTS: usize = 200_000;
 
@@ -45,24 +46,13 @@ pub fn height_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Option<Ch
 }
 
 /// Heights along a flight over a quantity that follows from the time since its begin.
-fn flight_points(flight: &Flight, points: u32, over: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+pub(super) fn flight_points(flight: &Flight, points: u32, over: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
     let times = (0..=points).map(|i| flight.duration * f64::from(i) / f64::from(points));
     times.map(|time| (over(time), flight.height_at(time))).collect()
 }
 
-/// The path of a ball that bounces at an angle: the height of its lowest point over the position along the surface.
-pub fn path_chart(repeat: &ImpactSeries, sequence: &SeriesResult) -> Option<Chart> {
-    let flights: Vec<&Flight> = sequence.impacts.iter().filter_map(|hit| hit.flight.as_ref()).collect();
-    sequence.impacts.first()?.tangential_speed().filter(|_| !flights.is_empty())?;
-    let points =
-        flights.iter().flat_map(|flight| flight_points(flight, FLIGHT_POINTS, |time| flight.position_at(time)));
-    let hits = sequence.impacts.iter().map(|hit| (hit.position, 0.0)).collect();
-    let series = vec![Series::line("Lowest point of the sphere", points.collect()), Series::points("Impacts", hits)];
-    let axes = [Axis::linear("Place along the surface", "m"), Axis::linear("Height", "m")];
-    Some(Chart::new(title(repeat, sequence), axes, series))
-}
-
-fn title(repeat: &ImpactSeries, sequence: &SeriesResult) -> String {
+/// Number of the impacts, and their spot.
+pub(super) fn title(repeat: &ImpactSeries, sequence: &SeriesResult) -> String {
     let impacts = if repeat.is_bouncing() { "bounces" } else { "shots" };
     let place = match repeat.spot_mode {
         SpotMode::Same => "on the same spot",

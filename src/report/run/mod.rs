@@ -9,7 +9,7 @@ pub mod table;
 
 use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Forces};
-use crate::scenario::input::Input;
+use crate::scenario::input::{Input, OBLIQUE_KEYS};
 use crate::scenario::keys::key;
 pub use crate::scenario::no_result_error;
 use crate::scenario::{Kind, Scenario};
@@ -59,10 +59,9 @@ pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
             input.number(key!("half_space.mass")).is_some_and(f64::is_finite),
             "The simulation has the mass of every body. For two balls give mass = \"ball\".",
         ),
-        ("impact.angle", scenario.document.contains("impact.angle"), SPHERE_MOTION_ADVICE),
-        ("sphere.spin", scenario.document.contains("sphere.spin"), SPHERE_MOTION_ADVICE),
     ];
-    if let Some((key, _, way_out)) = keys.into_iter().find(|(_, is_there, _)| *is_there) {
+    let of_motion = OBLIQUE_KEYS.map(|key| (key.path(), scenario.document.contains(key.path()), SPHERE_MOTION_ADVICE));
+    if let Some((key, _, way_out)) = keys.into_iter().chain(of_motion).find(|(_, is_there, _)| *is_there) {
         let message = format!("is not supported in a DEM contact. {way_out} Remove this part.");
         return Err(scenario.document.refusal(key, message));
     }

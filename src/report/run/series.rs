@@ -57,7 +57,9 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
         let loops = ("force_indentation", pictures::series::loops_chart(&repeat, &sequence)?);
         let mut drawn = vec![loops, ("impacts", pictures::series::impacts_chart(&repeat, &sequence))];
         drawn.extend(pictures::series::height_chart(&repeat, &sequence).map(|height| ("height", height)));
-        drawn.extend(pictures::series::path_chart(&repeat, &sequence).map(|path| ("path", path)));
+        drawn.extend(pictures::path::path_chart(&repeat, &sequence).map(|path| ("path", path)));
+        let from_above = pictures::path::path_from_above_chart(&repeat, &sequence);
+        drawn.extend(from_above.map(|path| ("path_from_above", path)));
         Ok(with_captions(drawn, &caption(&input, &["impact.speed"])))
     })?);
     let mut results = report::summary_fields(&series);

@@ -36,45 +36,62 @@ pub fn impacts_csv(sequence: &SeriesResult) -> Result<Vec<u8>, Error> {
 /// `trace.csv`: the impacts that were traced, and the flights between them.
 pub fn trace_csv(sequence: &SeriesResult, samples: usize) -> Result<Vec<u8>, Error> {
     let mut rows = Vec::new();
-    let hops = sequence.impacts.iter().any(|hit| hit.tangential_speed().is_some());
+    let is_any = |has: fn(&SeriesImpact) -> bool| sequence.impacts.iter().any(has);
+    let hops = is_any(|hit| hit.tangential().is_some());
+    let turns = is_any(|hit| hit.cross_motion().is_some());
+    let reported = [hops, turns];
     if let Some(fall) = &sequence.fall {
-        push_flight_rows(0, fall, hops, samples, &mut rows);
+        push_flight_rows(0, fall, reported, samples, &mut rows);
     }
     for (i, hit) in sequence.traced_impacts().iter().enumerate() {
-        let mut at: Option<(f64, f64, f64)> = None;
-        rows.extend(hit.impact.trace.iter().map(|row| SeriesTraceRow {
-            impact: i + 1,
-            time: hit.time.unwrap_or(0.0) + row.time,
-            position: row.friction.map(|friction| {
+        let mut at: Option<(f64, [f64; 2], [f64; 2])> = None;
+        rows.extend(hit.impact.trace.iter().map(|row| {
+            let position = row.friction.map(|friction| {
                 // by the trapezoidal rule along the contact
-                let (time, speed) = (row.time, friction.tangential_speed);
-                let moved =
-                    at.map_or(hit.position, |(before, place, was)| place + 0.5 * (was + speed) * (time - before));
-                at = Some((time, moved, speed));
+                let (time, velocity) = (row.time, friction.tangential.velocity());
+                let moved = at.map_or(hit.position, |(before, place, was)| {
+                    [0, 1].map(|axis| place[axis] + 0.5 * (was[axis] + velocity[axis]) * (time - before))
+                });
+                at = Some((time, moved, velocity));
                 moved
-            }),
-            height: -row.indentation,
-            speed: row.speed,
-            force: row.force,
-            branch: row.branch.name(),
-            event: event_name(row.event),
+            });
+            SeriesTraceRow {
+                impact: i + 1,
+                time: hit.time.unwrap_or(0.0) + row.time,
+                position: position.map(|[along, _]| along),
+                cross_position: position.filter(|_| turns).map(|[_, across]| across),
+                height: -row.indentation,
+                speed: row.speed,
+                force: row.force,
+                branch: row.branch.name(),
+                event: event_name(row.event),
+            }
         }));
         if let Some(flight) = &hit.flight {
-            push_flight_rows(i + 1, flight, hops, samples, &mut rows);
+            push_flight_rows(i + 1, flight, reported, samples, &mut rows);
         }
     }
     csv_bytes(&results::trace_columns(), rows.into_iter())
 }
 
 /// The rows of a flight without its ends, which are rows of the contacts before and after it. Only the release of the
-/// sphere, where the first fall begins, is a row of the flight.
-fn push_flight_rows(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Vec<SeriesTraceRow>) {
+/// sphere, where the first fall begins, is a row of the flight. `reported` states which of the two positions the trace has.
+fn push_flight_rows(
+    impact: usize,
+    flight: &Flight,
+    reported: [bool; 2],
+    samples: usize,
+    rows: &mut Vec<SeriesTraceRow>,
+) {
     rows.extend((usize::from(impact > 0)..=samples).map(|i| {
         let time = flight.duration * i as f64 / (samples + 1) as f64;
+        let place = flight.position_at(time);
+        let [position, cross_position] = [0, 1].map(|axis| reported[axis].then_some(place[axis]));
         SeriesTraceRow {
             impact,
             time: flight.begin + time,
-            position: hops.then(|| flight.position_at(time)),
+            position,
+            cross_position,
             height: flight.height_at(time),
             speed: flight.speed_at(time),
             force: 0.0,

@@ -4,7 +4,7 @@
 use std::sync::LazyLock;
 
 use super::Input;
-use crate::scenario::keys::{ALL_KEYS, KeyId, NUMBER, Part};
+use crate::scenario::keys::{ALL_KEYS, KeyId, NUMBER, Part, key};
 
 /// A numeric key of an impact, which may vary: as an axis, as a random variable, or as a free key of a calibration. It is its
 /// place in the list of keys, which has all else about it.
@@ -15,6 +15,13 @@ pub static NUMERIC_KEYS: LazyLock<Vec<NumericKey>> = LazyLock::new(|| {
     let of_impact = ALL_KEYS.iter().enumerate().filter(|(_, key)| key.part != Part::Kind);
     of_impact.filter_map(|(place, _)| KeyId::new(place)).collect()
 });
+
+/// The spins of the sphere before the impact: about y, x and z.
+pub const SPIN_KEYS: [NumericKey; 3] =
+    [key!("sphere.spin"), key!("sphere.spin_about_path"), key!("sphere.spin_about_normal")];
+
+/// The keys of which one makes an impact oblique, so that friction is computed.
+pub const OBLIQUE_KEYS: [NumericKey; 4] = [key!("impact.angle"), SPIN_KEYS[0], SPIN_KEYS[1], SPIN_KEYS[2]];
 
 /// Alternative keys: a scene has one of the two.
 pub const ALTERNATIVES: [[&str; 2]; 6] = [

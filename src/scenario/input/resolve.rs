@@ -3,15 +3,15 @@
 
 use std::sync::Arc;
 
-use super::{Body, BodyMaterial, Input, NumericKey, Value};
+use super::{Body, BodyMaterial, Input, NumericKey, OBLIQUE_KEYS, SPIN_KEYS, Value};
 use crate::contact::body::{HalfSpace, Sphere, Support, sphere_volume};
 use crate::contact::law::LawChoice;
 use crate::contact::pair::{Pair, YieldPartition};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
-    Approach, Contact, Damping, Forces, ImpactError, MaterialNames, Method, Plate, PlateTheory, STANDARD_GRAVITY,
-    Solver,
+    Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Plate, PlateTheory,
+    STANDARD_GRAVITY, Solver,
 };
 use crate::materials::{MaterialEntry, all_materials};
 use crate::scenario::keys::{Part, body_key, key};
@@ -160,7 +160,7 @@ impl Input {
     /// True if an angle or a spin is given, so that friction is computed.
     #[inline]
     pub fn is_oblique(&self) -> bool {
-        self.number(key!("impact.angle")).is_some() || self.number(key!("sphere.spin")).is_some()
+        OBLIQUE_KEYS.into_iter().any(|key| self.number(key).is_some())
     }
 
     /// The angle of the impact from the normal \[rad\].
@@ -169,10 +169,18 @@ impl Input {
         self.number(key!("impact.angle")).unwrap_or(0.0)
     }
 
-    /// The spin of the sphere \[rad/s\].
+    /// The spin of the sphere about the axis across its path \[rad/s\].
     #[inline]
     fn spin(&self) -> f64 {
         self.number(key!("sphere.spin")).unwrap_or(0.0)
+    }
+
+    /// The motion out of the plane of incidence, if a spin out of this plane is given.
+    #[inline]
+    pub fn cross_motion(&self) -> Option<CrossMotion> {
+        let [_, path, normal] = SPIN_KEYS.map(|key| self.number(key));
+        path.or(normal)?;
+        Some(CrossMotion { speed: 0.0, spin_about_path: path.unwrap_or(0.0), spin_about_normal: normal.unwrap_or(0.0) })
     }
 
     /// Speed, angle and spin at first contact.
@@ -188,7 +196,9 @@ impl Input {
             return speed.into();
         }
         let friction = self.number(key!("friction.coefficient")).unwrap_or(0.0);
-        Approach::at_angle(speed, self.angle(), self.spin(), friction)
+        let mut approach = Approach::at_angle(speed, self.angle(), self.spin(), friction);
+        approach.tangential.cross = self.cross_motion();
+        approach
     }
 
     /// Method and tolerance.
@@ -262,6 +272,10 @@ impl Input {
         if self.is_oblique() {
             input.set(key!("impact.angle"), Some(self.angle()));
             input.set(key!("sphere.spin"), Some(self.spin()));
+            if let Some(cross) = self.cross_motion() {
+                input.set(key!("sphere.spin_about_path"), Some(cross.spin_about_path));
+                input.set(key!("sphere.spin_about_normal"), Some(cross.spin_about_normal));
+            }
         }
         input.set_default_method(self.solver().method);
         let is_on_plate = self.forces().plate.is_some();

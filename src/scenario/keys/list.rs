@@ -163,7 +163,7 @@ pub const ALL_KEYS: &[KeySpec] = &{
 };
 
 /// The sphere, except for its strength.
-const SPHERE_KEYS: [KeySpec; 9] = key_specs! {
+const SPHERE_KEYS: [KeySpec; 11] = key_specs! {
     "";
     /// Radius of the sphere (not its diameter).
     "sphere.radius" of Sphere: Number(&LENGTH);
@@ -180,8 +180,15 @@ const SPHERE_KEYS: [KeySpec; 9] = key_specs! {
     /// Moment of inertia of all moving parts about the centre of the sphere. Required with mass if the sphere has an angle or a
     /// spin.
     "sphere.moment_of_inertia" of Motion: Number(&MOMENT_OF_INERTIA) => "of a solid sphere";
-    /// Spin of the sphere before the impact, about the axis across its path; positive for rolling forward. Requires [friction].
+    /// Spin of the sphere before the impact, about the axis across its path: positive for rolling forward (topspin), negative for
+    /// backspin. Requires [friction].
     "sphere.spin" of Approach: Number(&SPIN) => "0";
+    /// Spin before the impact about the direction of the path along the surface: positive if clockwise, seen from behind. Friction
+    /// then drives the sphere to the right. Requires [friction].
+    "sphere.spin_about_path" of Approach: Number(&SPIN) => "0";
+    /// Spin before the impact about the normal: positive if counterclockwise, seen from above. The impact does not change this spin.
+    /// Requires [friction].
+    "sphere.spin_about_normal" of Approach: Number(&SPIN) => "0";
     /// Material of the sphere from the library. Other keys of this table override single properties. The material can be an axis.
     "sphere.material" of Sphere: Word(&MATERIALS);
 };

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::{Contact, ImpactError, PlateError};
 use crate::scenario::Scenario;
-use crate::scenario::input::{ALTERNATIVES, Input, NUMERIC_KEYS};
+use crate::scenario::input::{ALTERNATIVES, Input, NUMERIC_KEYS, OBLIQUE_KEYS};
 use crate::scenario::keys::key;
 use crate::units::format_four_digits;
 
@@ -29,7 +29,8 @@ const fn excludes(keys: &'static [&'static str], others: &'static [&'static str]
     KeyRule { keys, other_keys: others, unless: &[], reason: why }
 }
 
-const OBLIQUE_KEYS: &[&str] = &["impact.angle", "sphere.spin"];
+const OBLIQUE_PATHS: &[&str] =
+    &[OBLIQUE_KEYS[0].path(), OBLIQUE_KEYS[1].path(), OBLIQUE_KEYS[2].path(), OBLIQUE_KEYS[3].path()];
 const ONE_OF_TWO_TEXT: &str = "cannot be combined with [{}]. Remove one of the two.";
 
 const RULES: &[KeyRule] = &[
@@ -40,12 +41,12 @@ const RULES: &[KeyRule] = &[
         reason: "requires [gravity] together with [{}], because a sphere bounces only under gravity. Add [gravity] with acceleration = \"9.80665 m/s^2\" (command line: --set gravity.acceleration=\"9.80665 m/s^2\"), or give impact.speed for impacts at a given speed.",
     },
     needs(
-        OBLIQUE_KEYS,
+        OBLIQUE_PATHS,
         &["friction.coefficient"],
         "requires [friction]. Add [friction] with coefficient = 0.1, or 0 for a frictionless contact.",
     ),
     KeyRule {
-        keys: OBLIQUE_KEYS,
+        keys: OBLIQUE_PATHS,
         other_keys: &["sphere.mass"],
         unless: &["sphere.moment_of_inertia"],
         reason: "requires sphere.moment_of_inertia, because {} describes a body that is not a solid sphere.",
@@ -56,18 +57,18 @@ const RULES: &[KeyRule] = &[
         "has no effect, because the sphere neither falls nor bounces. Add [gravity] with acceleration = \"9.81 m/s^2\", or set impact.drop_height, or remove [air].",
     ),
     excludes(
-        OBLIQUE_KEYS,
+        OBLIQUE_PATHS,
         &["air"],
         "cannot be combined with [{}], because air drag along an oblique path is not modelled. Remove one of the two.",
     ),
     KeyRule {
-        keys: OBLIQUE_KEYS,
+        keys: OBLIQUE_PATHS,
         other_keys: &["repeat"],
         unless: &["gravity.acceleration"],
         reason: "requires [gravity] together with [{}]: impacts at given speeds are normal impacts. Add [gravity] with acceleration = \"9.81 m/s^2\", or remove this key.",
     },
     excludes(
-        OBLIQUE_KEYS,
+        OBLIQUE_PATHS,
         &["calibrate"],
         "cannot be combined with [{}], which supports normal impacts only. Remove this key, and give the normal component of the speed.",
     ),
@@ -204,7 +205,7 @@ impl Scenario {
         }
         let Some(mass) = input.number(key!("half_space.mass")) else { return Ok(()) };
         if mass.is_finite() {
-            let message = "an oblique impact on a free target requires a ball. Write half_space.mass = \"ball\", or remove impact.angle and sphere.spin.";
+            let message = "an oblique impact on a free target requires a ball. Write half_space.mass = \"ball\", or remove impact.angle and the spin of the sphere.";
             return if input.is_oblique() { refuse("half_space.mass", message) } else { Ok(()) };
         }
         match radius {

@@ -86,7 +86,7 @@ const RULES: &[Rule] = &[
     keys(
         &["sphere.moment_of_inertia", "friction.coefficient"],
         |facts, _| facts.is_static() || facts.all(|input| !input.is_oblique()),
-        "friction acts only if impact.angle or sphere.spin is given",
+        "friction acts only if impact.angle or a spin of the sphere is given",
     ),
     keys(
         &["air.viscosity"],
@@ -154,14 +154,19 @@ const RULES: &[Rule] = &[
         "elastic waves are not computed for a free target (half_space.mass)",
     ),
     columns(
-        &[Requirement::Target, Requirement::Struck],
+        &[Requirement::Target, Requirement::Struck, Requirement::StruckCross],
         |facts, _| !facts.is_free(),
         "the target is fixed, because half_space.mass is not given",
     ),
     columns(
         &[Requirement::Incidence, Requirement::Struck],
         |facts, _| !facts.first().is_oblique(),
-        "friction acts only if impact.angle or sphere.spin is given",
+        "friction acts only if impact.angle or a spin of the sphere is given",
+    ),
+    columns(
+        &[Requirement::Cross, Requirement::StruckCross],
+        |facts, _| facts.first().cross_motion().is_none(),
+        "the sphere stays in its plane of incidence, because neither sphere.spin_about_path nor sphere.spin_about_normal is given",
     ),
     columns(
         &[Requirement::Density],

@@ -30,7 +30,7 @@ const CONSTANTS: [(&str, [f64; 2]); 2] = [
 fn rigid_speed(impact: &MeasuredImpact, [restitution, sticking]: [f64; 2]) -> f64 {
     let MeasuredImpact { approach, contact, .. } = impact;
     let sliding = approach.friction.unwrap_or(0.0) * (1.0 + restitution) * approach.normal;
-    approach.along - sliding.min((1.0 + sticking) * approach.along / contact.slip_factor())
+    approach.tangential.speed - sliding.min((1.0 + sticking) * approach.tangential.speed / contact.slip_factor())
 }
 
 /// Tangential speed after with one tangential spring, as in codes for granular media: v_t' = v_t (1 + (s_1/s_0 − 1)/j).
@@ -38,7 +38,7 @@ fn spring_speed(impact: &MeasuredImpact) -> Result<f64, Error> {
     let MeasuredImpact { approach, contact, by_law, .. } = impact;
     let psi = by_law.rebound.map_or(f64::NAN, |after| after.psi);
     let ratio = single_spring_ratio(psi, contact.chi()).map_err(ImpactError::from)?;
-    Ok(approach.along * (1.0 + (ratio - 1.0) / contact.slip_factor()))
+    Ok(approach.tangential.speed * (1.0 + (ratio - 1.0) / contact.slip_factor()))
 }
 
 /// The models, and the number of rebounds with partial slip.
@@ -79,7 +79,7 @@ pub(in crate::validate) fn glass_balls(coefficients: &PlmCoefficients) -> Result
         let impacts = impacts_of(set, coefficients)?;
         for impact in &impacts {
             let Some(after) = impact.by_law.rebound else { continue };
-            let change = impact.row.number(RELATIVE_SPEED) / impact.approach.along - 1.0;
+            let change = impact.row.number(RELATIVE_SPEED) / impact.approach.tangential.speed - 1.0;
             found.slips.push((after.psi, after.psi * (1.0 + change * impact.contact.slip_factor())));
         }
         found.deviations = friction_models(&impacts)?.0.iter().map(|model| model.all).collect();

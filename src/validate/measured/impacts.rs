@@ -24,7 +24,7 @@ pub(super) struct MeasuredImpact<'a> {
 /// Tangential speed \[m/s\] of the centre of the sphere relative to that of the other body.
 pub(super) fn relative_tangential_speed(by_law: &ImpactRow) -> Option<f64> {
     let after = by_law.rebound?;
-    Some(after.tangential_speed - after.target.map_or(0.0, |[along, _]| along))
+    Some(after.tangential.speed - after.target.map_or(0.0, |target| target.speed))
 }
 
 /// The strength \[Pa\] with this restitution, by bisection: e rises with the strength.

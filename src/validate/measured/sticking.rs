@@ -2,7 +2,7 @@
 //! How experimenters draw this line is not known, so there are two values: the least-squares slope, and the largest −ψ_2/ψ_1.
 
 use crate::error::Error;
-use crate::impact::{Approach, Contact, Solver};
+use crate::impact::{Approach, Contact, Solver, TangentialMotion};
 
 /// The step of ψ_1 from rebound to rebound.
 const STEP: f64 = 0.25;
@@ -28,7 +28,7 @@ pub(super) fn sticking_restitution(
     let (mut products, mut squares, mut largest) = (0.0, 0.0, 0.0_f64);
     let mut psi = STEP;
     while psi < MAX_PSI {
-        let at = Approach { along: psi * slip_at_one, spin: 0.0, ..approach };
+        let at = Approach { tangential: TangentialMotion::in_plane(psi * slip_at_one, 0.0), ..approach };
         let Some(after) = contact.row(at, &Solver::AUTO)?.rebound.filter(|after| !after.is_sliding) else { break };
         let ratio = after.contact_point_restitution;
         products += ratio * psi * psi;

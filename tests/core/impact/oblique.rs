@@ -1,6 +1,7 @@
 //! Oblique impacts: every row of `tests/reference/oblique.csv`, the curve of Maw, Barber and Fawcett, limits, and what must
 //! hold for any scene.
 
+mod spin;
 mod with_forces;
 
 use crate::common::prelude::*;
@@ -55,8 +56,8 @@ fn twelve_impacts_are_those_of_the_reference() {
         assert!(rebound.error < 1e-6, "{name}");
         assert_relative_eq!(rebound.psi, number("psi_1"), max_relative = 1e-12);
         assert_relative_eq!(impact.row.restitution, number("restitution"), max_relative = 1e-9);
-        assert_relative_eq!(rebound.tangential_speed, number("rebound_tangential_speed_m_s"), max_relative = 4e-6);
-        assert_relative_eq!(rebound.spin, number("rebound_spin_rad_s"), max_relative = 8e-6);
+        assert_relative_eq!(rebound.tangential.speed, number("rebound_tangential_speed_m_s"), max_relative = 4e-6);
+        assert_relative_eq!(rebound.tangential.spin, number("rebound_spin_rad_s"), max_relative = 8e-6);
         // it slides all the time where the reference has the impulse of gross sliding
         let sliding = 1.0 - 2.0 * contact.chi() * (1.0 + impact.row.restitution) / rebound.psi.abs();
         assert_eq!(rebound.is_sliding, (want - sliding).abs() < 2e-6, "{name}");
@@ -75,9 +76,9 @@ fn twelve_impacts_are_those_of_the_reference() {
 /// s_1/s_0 of an impact that is stepped as DEM codes do, with force and friction of the contact: velocity Verlet in `steps`
 /// steps a contact.
 fn stepped(contact: &Contact, approach: Approach, steps: f64) -> f64 {
-    let Approach { normal: mut speed, along: tangential, spin, friction } = approach;
+    let Approach { normal: mut speed, tangential, friction } = approach;
     let (mass, j, radius) = (contact.mass(), contact.slip_factor(), contact.sphere().radius);
-    let slip = tangential - radius * spin;
+    let slip = tangential.speed - radius * tangential.spin;
     let dt = contact.closed_form(speed).unwrap().row.contact_time / steps;
     let (mut indentation, mut force, mut moving) = (0.0, 0.0, slip);
     let (mut memory, mut history) = (Memory::default(), [0.0; 3]);
@@ -221,13 +222,13 @@ fn limits_without_friction_without_slip_and_without_anything() {
     let contact = alumina_on_glass();
     // no friction: tangential speed and spin stay
     let (_, free) = impact(&contact, approach(3.9, 40.0, 0.0, 120.0), None);
-    assert_eq!((free.tangential_speed, free.spin), (3.9 * 40_f64.to_radians().sin(), 120.0));
+    assert_eq!((free.tangential.speed, free.tangential.spin), (3.9 * 40_f64.to_radians().sin(), 120.0));
     assert!(free.is_sliding && free.impulse_ratio == 0.0 && free.loss_fraction == 0.0);
     // rolling: the contact point does not slip, and nothing happens
     let rolling = 3.9 * 20_f64.to_radians().sin() / 2.5e-3;
     let exact = Approach::at_angle(3.9, 0.0, 0.0, 0.3);
     let (straight, nothing) = impact(&contact, exact, Some(10));
-    assert_eq!((nothing.tangential_speed, nothing.spin, nothing.angle), (0.0, 0.0, 0.0));
+    assert_eq!((nothing.tangential.speed, nothing.tangential.spin, nothing.angle), (0.0, 0.0, 0.0));
     assert!(nothing.tangential_restitution.is_nan() && nothing.contact_point_restitution.is_nan());
     assert!(straight.trace.iter().all(|row| row.friction.unwrap().friction_force == 0.0));
     let (_, rolled) = impact(&contact, approach(3.9, 20.0, 0.3, rolling), None);
@@ -246,11 +247,11 @@ fn limits_without_friction_without_slip_and_without_anything() {
     let at = approach(3.9, 15.0, 0.092, 0.0);
     let (given, own) = (impact(&same, at, None).1, impact(&contact, at, None).1);
     // rounding changes the lengths of the steps
-    assert_relative_eq!(given.spin, own.spin, max_relative = 1e-9);
+    assert_relative_eq!(given.tangential.spin, own.tangential.spin, max_relative = 1e-9);
     // mirrored: forward becomes backward
     let (back, forth) = (approach(3.9, 0.0, 0.1, -90.0), approach(3.9, 0.0, 0.1, 90.0));
     let [back, forth] = [back, forth].map(|approach| impact(&contact, approach, None).1);
-    assert_eq!((back.tangential_speed, back.spin), (-forth.tangential_speed, -forth.spin));
+    assert_eq!((back.tangential.speed, back.tangential.spin), (-forth.tangential.speed, -forth.tangential.spin));
 }
 
 /// A solid sphere has (2/5) m R². With less the contact point swings faster, in proportion to √(1 + m R²/I): the steps become

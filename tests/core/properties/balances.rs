@@ -146,25 +146,36 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
     assert_close("friction", friction.recovered + friction.loss, friction.kinetic_in, rounding)?;
     prop_assert!((-rounding..=friction.kinetic_in + rounding).contains(&friction.loss), "{:?}", friction);
     assert_close("angular momentum", friction.momentum_error, 0.0, 1e-13)?;
-    let (radius, along) = (run.contact.sphere().radius, run.approach.along);
-    let size = run.approach.speed() + rebound.tangential_speed.abs();
-    if let Some([moved, turned]) = rebound.target {
+    let (radius, before, after) = (run.contact.sphere().radius, run.approach.tangential, rebound.tangential);
+    let change = [0, 1].map(|axis| after.velocity()[axis] - before.velocity()[axis]);
+    let size = run.approach.speed() + after.velocity()[0].hypot(after.velocity()[1]);
+    prop_assert_eq!(after.spins()[2], before.spins()[2]);
+    if let Some(target) = rebound.target {
         let (mass, ball) = (run.contact.mass(), run.contact.target_mass().unwrap());
         let of_ball = run.contact.half_space().radius.unwrap();
-        let gained = mass * (rebound.tangential_speed - along);
-        assert_close("momentum", gained + ball * moved, 0.0, 1e-12 * (mass + ball) * size)?;
-        // about the contact point: the centre of the sphere is above it, that of the ball below
-        let spun =
-            0.4 * mass * radius * radius * (rebound.spin - run.approach.spin) + 0.4 * ball * of_ball * of_ball * turned;
-        let angular = gained * radius + spun - ball * of_ball * moved;
-        assert_close("angular momentum of both", angular, 0.0, 1e-12 * (mass + ball) * size * (radius + of_ball))?;
+        for axis in [0, 1] {
+            // a velocity along y turns about x backwards
+            let (other, sign) = (1 - axis, if axis == 0 { 1.0 } else { -1.0 });
+            let (gained, moved) = (mass * change[axis], ball * target.velocity()[axis]);
+            assert_close("momentum", gained + moved, 0.0, 1e-12 * (mass + ball) * size)?;
+            // about the contact point: the centre of the sphere is above it, that of the ball below
+            let spun = 0.4 * mass * radius * radius * (after.spins()[other] - before.spins()[other])
+                + 0.4 * ball * of_ball * of_ball * target.spins()[other];
+            let angular = sign * (gained * radius - moved * of_ball) + spun;
+            assert_close("angular momentum of both", angular, 0.0, 1e-12 * (mass + ball) * size * (radius + of_ball))?;
+        }
     }
     if rebound.is_sliding && rebound.psi != 0.0 {
-        // the impulse of the whole contact force, and of the weight that it carries
+        // the impulse of the whole contact force, and of the weight that it carries, against the slip
         let impulse = run.contact.reduced_mass() * (1.0 + impact.row.restitution) * run.speed();
-        let impulse = (impulse + run.weight() * impact.row.contact_time).copysign(rebound.psi);
-        let change = run.contact.mass() * (rebound.tangential_speed - along);
-        assert_close("sliding", -change, mu * impulse, (1e-9 + run.error_allowance()) * mu * impulse.abs())?;
+        let impulse = impulse + run.weight() * impact.row.contact_time;
+        let ([vx, vy], [about_x, about_y, _]) = (before.velocity(), before.spins());
+        let slip = [vx - radius * about_y, vy + radius * about_x];
+        for axis in [0, 1] {
+            let want = mu * impulse * slip[axis] / slip[0].hypot(slip[1]);
+            let allowed = (1e-9 + run.error_allowance()) * mu * impulse.abs();
+            assert_close("sliding", -run.contact.mass() * change[axis], want, allowed)?;
+        }
     }
     if rebound.psi == 0.0 || !run.is_adaptive() {
         return Ok(false);
@@ -177,9 +188,14 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
     }
     if let [first, .., last] = &impact.trace[..] {
         let [first, last] = [first, last].map(|row| row.friction.unwrap());
-        assert_close("first", first.tangential_speed, along, 1e-12 * size)?;
-        assert_close("last", last.tangential_speed, rebound.tangential_speed, (1e-9 + run.error_allowance()) * size)?;
-        assert_close("last spin", last.spin * radius, rebound.spin * radius, (1e-8 + run.error_allowance()) * size)?;
+        for axis in [0, 1] {
+            let speed = |motion: &TangentialMotion| motion.velocity()[axis];
+            let rim = |motion: &TangentialMotion| motion.spins()[axis] * radius;
+            let (first, last) = (&first.tangential, &last.tangential);
+            assert_close("first", speed(first), speed(&before), 1e-12 * size)?;
+            assert_close("last", speed(last), speed(&after), (1e-9 + run.error_allowance()) * size)?;
+            assert_close("last spin", rim(last), rim(&after), (1e-8 + run.error_allowance()) * size)?;
+        }
     }
     prop_assert!(
         rebound.psi_after().abs() <= rebound.psi.abs() * (1.0 + 1e-12) && rebound.error < 1e-5,

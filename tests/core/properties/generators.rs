@@ -144,6 +144,16 @@ const OBLIQUES: Table = &[
             ("sphere.spin", Even(-1.0, 1.0), SpeedOverRadius),
         ],
     ),
+    (
+        1,
+        &[
+            ("impact.angle", Even(0.0, 1.55), Si),
+            ("friction.coefficient", Decades(-3.0, 0.5), Si),
+            ("sphere.spin", Even(-1.0, 1.0), SpeedOverRadius),
+            ("sphere.spin_about_path", Even(-1.0, 1.0), SpeedOverRadius),
+            ("sphere.spin_about_normal", Even(-1.0, 1.0), SpeedOverRadius),
+        ],
+    ),
 ];
 const METHODS: &[&str] = &["rk8", "rk8", "rk8", "dopri5", "dop853", "verlet", "auto", "closed_form"];
 const SOLVERS: Table = &[(1, &[("solver.method", OneOf(METHODS), Si), ("solver.tolerance", Decades(-12.0, -3.0), Si)])];

@@ -78,7 +78,9 @@ impl AnyScene {
         let (approach, solver) = (input.approach(), input.solver());
         let (mut before, mut earlier) = (Spot::new(), None);
         if let Some(ratio) = self.earlier {
-            let approach = Approach { normal: approach.normal * ratio, along: approach.along * ratio, ..approach };
+            let speed = approach.tangential.speed * ratio;
+            let tangential = TangentialMotion { speed, ..approach.tangential };
+            let approach = Approach { normal: approach.normal * ratio, tangential, ..approach };
             earlier = Some(contact.impact_on(&mut before, approach, &solver, None)?);
         }
         let mut after = before.clone();

@@ -6,7 +6,7 @@ use approx::assert_abs_diff_eq;
 use super::*;
 
 /// A steel ball on steel under these settings.
-fn under(settings: &[&str]) -> Contact {
+pub(super) fn under(settings: &[&str]) -> Contact {
     contact(STEEL, &settings.iter().map(|setting| (*setting).to_owned()).collect::<Vec<_>>())
 }
 
@@ -22,11 +22,11 @@ fn friction_goes_with_a_plate() {
     assert_abs_diff_eq!(on_thick.contact_point_restitution, on_block.contact_point_restitution, epsilon = 2e-5);
     // it slides all the time: the impulse of friction is mu times that of the plate on the sphere, (1 + e) m v
     let slides = approach(1.0, 60.0, 0.15, 0.0);
-    let (normal_speed, tangential_speed) = (slides.normal, slides.along);
+    let (normal_speed, tangential_speed) = (slides.normal, slides.tangential.speed);
     let (on_plate, rebound) = impact(&on_plate(5e-3), slides, None);
     assert!(on_plate.row.restitution < 0.9 * impact(&steel(&LawChoice::default()), slides, None).0.row.restitution);
     let left = tangential_speed - 0.15 * (1.0 + on_plate.row.restitution) * normal_speed;
-    assert_relative_eq!(rebound.tangential_speed, left, max_relative = 1e-7);
+    assert_relative_eq!(rebound.tangential.speed, left, max_relative = 1e-7);
 }
 
 /// A ball that hops along: every hop is the impact by itself with the speeds and the spin that the last one left, the ball moves
@@ -42,30 +42,32 @@ fn hopping_ball_keeps_spin_and_path() {
     let radius = contact.sphere().radius;
     // over the mass: v R + (2/5) R² ω
     let momentum = |speed: f64, spin: f64| speed * radius + 0.4 * radius * radius * spin;
-    let begun = momentum(first.along, 0.0);
+    let begun = momentum(first.tangential.speed, 0.0);
     let (mut place, mut lost) = (0.0, 0.0);
     for (i, hit) in series.impacts.iter().enumerate() {
         let alone = contact.impact(hit.approach, &Solver::AUTO, None).unwrap();
         let (rebound, after) = (alone.row.rebound.unwrap(), hit.impact.row.rebound.unwrap());
-        assert_eq!((rebound.tangential_speed, rebound.spin), (after.tangential_speed, after.spin));
-        assert_relative_eq!(momentum(after.tangential_speed, after.spin), begun, max_relative = 1e-12);
-        assert_abs_diff_eq!(hit.position, place, epsilon = 1e-12);
+        assert_eq!(
+            (rebound.tangential.speed, rebound.tangential.spin),
+            (after.tangential.speed, after.tangential.spin)
+        );
+        assert_relative_eq!(momentum(after.tangential.speed, after.tangential.spin), begun, max_relative = 1e-12);
+        assert_abs_diff_eq!(hit.position[0], place, epsilon = 1e-12);
         lost += hit.impact.oblique.unwrap().loss;
         if let Some(flight) = hit.flight {
             let in_contact =
-                0.5 * (hit.tangential_speed().unwrap() + after.tangential_speed) * hit.impact.row.contact_time;
-            place += in_contact + after.tangential_speed * flight.duration;
+                0.5 * (hit.tangential().unwrap().speed + after.tangential.speed) * hit.impact.row.contact_time;
+            place += in_contact + after.tangential.speed * flight.duration;
             let next = series.impacts[i + 1].approach;
-            let Approach { normal, along, .. } = next;
+            let Approach { normal, tangential, .. } = next;
             assert_relative_eq!(normal, flight.landing_speed, max_relative = 1e-12);
-            assert_relative_eq!(along, after.tangential_speed, max_relative = 1e-12);
-            assert_eq!(next.spin, after.spin);
+            assert_eq!(tangential, after.tangential);
         }
     }
     // in the end it rolls: v = R ω = begun/(1 + 2/5)/R, and friction has taken the rest, (1/7) m v²
     let last = series.impacts[11].impact.row.rebound.unwrap();
-    assert_relative_eq!(last.tangential_speed, begun / (1.4 * radius), max_relative = 1e-6);
-    let all = first.along.powi(2) * contact.mass() / 7.0;
+    assert_relative_eq!(last.tangential.speed, begun / (1.4 * radius), max_relative = 1e-6);
+    let all = first.tangential.speed.powi(2) * contact.mass() / 7.0;
     assert_relative_eq!(lost, all, max_relative = 1e-6);
     // straight down with no spin it is the ball that bounces on one place
     let straight = Approach::at_angle(2.0, 0.0, 0.0, 0.2);
@@ -77,7 +79,7 @@ fn hopping_ball_keeps_spin_and_path() {
     for (one, other) in with.impacts.iter().zip(&without.impacts) {
         assert_eq!(
             (one.time, one.approach.normal, one.position, one.rebound_speed),
-            (other.time, other.approach.normal, 0.0, other.rebound_speed)
+            (other.time, other.approach.normal, [0.0; 2], other.rebound_speed)
         );
     }
 }

@@ -124,6 +124,10 @@ fn repeats() -> Vec<Drawing> {
         }
     };
     let hits = |desk: &Sandbox| table(desk, "impacts", &[]).iter().map(|row| (cell(row, "position_m"), 0.0)).collect();
+    let places = |desk: &Sandbox| {
+        let rows = table(desk, "impacts", &[]);
+        rows.iter().map(|row| (cell(row, "position_m"), cell(row, "cross_position_m"))).collect()
+    };
     vec![
         drawing(
             format!("{}[repeat]\nspeeds = [1, 2, 5, 3]\nspot = \"fresh\"\n", still()),
@@ -141,8 +145,18 @@ fn repeats() -> Vec<Drawing> {
         drawing(
             format!("{}{GRAVITY}[repeat]\nimpacts = 4\nspot = \"fresh\"\n", oblique()),
             vec![
-                shown("series::path_chart", "path", 0, Through(BLUE), tops("position_m")),
-                shown("series::path_chart", "path", 0, Marks(VERMILLION), hits),
+                shown("path::path_chart", "path", 0, Through(BLUE), tops("position_m")),
+                shown("path::path_chart", "path", 0, Marks(VERMILLION), hits),
+            ],
+        ),
+        drawing(
+            format!(
+                "{}{GRAVITY}[repeat]\nimpacts = 4\nspot = \"fresh\"\n",
+                oblique().replacen("[sphere]\n", "[sphere]\nspin_about_path = 100\n", 1)
+            ),
+            vec![
+                shown("path::path_from_above_chart", "path_from_above", 0, Through(BLUE), places),
+                shown("path::path_from_above_chart", "path_from_above", 0, Marks(VERMILLION), places),
             ],
         ),
     ]
