@@ -168,9 +168,9 @@ test("keys read both curves and set the speed", async () => {
   const said = await readOf("chart-restitution");
   assert.match(said, /^Restitution 0\.\d+ at impact speed 1\.\d+ m\/s$/);
   await press("Enter", 13);
-  const speed = said.match(/([\d.]+) m\/s/)[1];
+  const speed = Number(said.match(/([\d.]+) m\/s/)[1]);
   await page.until(
-    `document.querySelector('${field("impact.speed")}').value === "${Number(Number(speed).toPrecision(3))} m/s"`,
+    `Math.abs(parseFloat(document.querySelector('${field("impact.speed")}').value) / ${speed} - 1) < 0.006`,
   );
   await focus("chart-loop");
   await press("PageUp", 33);

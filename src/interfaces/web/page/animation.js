@@ -59,7 +59,7 @@ export function makeAnimation(place, moved) {
     const gap = at < 0 ? -at * STRIDE : Math.max(0, at - rows.length + 1) * STRIDE;
     const isBefore = at < 0;
     const depth = isBefore ? 0 : row.dent * size;
-    const bottom = SURFACE + (isBefore ? 0 : row.indentation * size) - gap;
+    const bottom = SURFACE + depth - gap;
     ball.setAttribute("cy", bottom - BALL);
     const deepest = Math.max(0, ...rows.slice(0, Math.max(at, 0) + 1).map((row) => row.dent)) * size;
     const half = Math.sqrt(Math.max(2 * BALL * deepest - deepest * deepest, 0));

@@ -179,6 +179,7 @@ function listen() {
   byId("full").addEventListener("click", () =>
     document.fullscreenElement ? document.exitFullscreen() : byId("results").requestFullscreen(),
   );
+  byId("to-values").addEventListener("click", () => byId("begin").focus());
   byId("print").addEventListener("click", () => window.print());
   byId("data").addEventListener("change", () => byId("data").files[0] && measure(byId("data").files[0]));
   byId("without").addEventListener("click", () => {
