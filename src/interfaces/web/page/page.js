@@ -26,6 +26,8 @@ let later;
 // A value that moves is computed without pictures; the pictures follow when it rests so long.
 const REST_MS = 350;
 let rest = null;
+// whether the files of the page are being kept for a time without a network
+let isOffline = false;
 // a key that was emptied, with the text before and after
 let emptied = null;
 
@@ -122,7 +124,11 @@ function done(reply, [, computed, , pictures]) {
   if (error) markStale();
   else {
     showResults(reply, isMoving);
-    bench.show(reply, computed);
+    // the numbers are seen first
+    if (isMoving) bench.show(reply, computed);
+    else setTimeout(() => bench.show(reply, computed));
+    if (!isOffline) keepOffline();
+    isOffline = true;
   }
 }
 
@@ -238,7 +244,6 @@ try {
   });
   listen();
   restore();
-  keepOffline();
 } catch (error) {
   byId("state").textContent = `The program could not be loaded: ${error.message}`;
 }
