@@ -89,7 +89,7 @@ export function makeChart(place, { id, isByX, pick }) {
   function curves() {
     const { x, y } = scales;
     return state.curves.map(({ points, number }) => {
-      const path = points.map(([a, b]) => `${x.at(a).toFixed(1)},${y.at(b).toFixed(1)}`).join(" ");
+      const path = points.map(([a, b]) => `${x.at(a).toFixed(2)},${y.at(b).toFixed(2)}`).join(" ");
       return node("polyline", { class: `curve c${number}`, points: path });
     });
   }
