@@ -23,5 +23,6 @@ export default [
   },
   { files: ["src/interfaces/web/page/*.js"], languageOptions: { globals: globals.browser } },
   { files: ["src/interfaces/web/page/worker.js"], languageOptions: { globals: globals.worker } },
+  { files: ["src/interfaces/web/page/service.js"], languageOptions: { globals: globals.serviceworker } },
   { files: ["tests/web/*.mjs"], languageOptions: { globals: globals.node } },
 ];

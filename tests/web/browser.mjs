@@ -8,7 +8,7 @@ import { extname, join, normalize } from "node:path";
 
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
 
-/** Serves a folder; gives the address and a function that ends it. */
+/** Serves a folder; gives the address, and functions that stop it, start it again and end it. */
 export async function serve(folder) {
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url, "http://localhost").pathname);
@@ -18,8 +18,14 @@ export async function serve(folder) {
       .on("error", () => response.writeHead(404).end())
       .pipe(response);
   });
-  await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
-  return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
+  const listen = (port) => new Promise((ready) => server.listen(port, "127.0.0.1", ready));
+  await listen(0);
+  const { port } = server.address();
+  const stop = () => {
+    server.closeAllConnections();
+    return new Promise((ended) => server.close(ended));
+  };
+  return { address: `http://127.0.0.1:${port}/`, stop, start: () => listen(port), end: () => server.close() };
 }
 
 const OPTIONS = [

@@ -14,7 +14,7 @@ const glue = readFileSync(join(PAGE, "plm_impact.js"), "utf8");
 const program = await import(`data:text/javascript;base64,${Buffer.from(glue).toString("base64")}`);
 program.initSync({ module: readFileSync(join(PAGE, "plm_impact_bg.wasm")) });
 
-const run = (name, text, data) => JSON.parse(program.run(name, text, data));
+const run = (name, text, data) => JSON.parse(program.run(name, text, data, "svg"));
 
 // scenarios that have all tables together, none of which has only tables that others before it have; and that of all laws
 const scenarios = ["restitution-of-all-laws.toml"];

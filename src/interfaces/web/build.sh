@@ -37,7 +37,7 @@ fi
 cargo rustc --quiet --locked --lib --crate-type cdylib --no-default-features --features web --target $target --profile "$profile"
 mkdir -p "$out"
 "$tool/debug/bindgen" "$build/$target/${profile/#dev/debug}/plm_impact.wasm" "$out"
-cp src/interfaces/web/page/* src/interfaces/licenses.txt "$out"
+cp -r src/interfaces/web/page/* src/interfaces/licenses.txt "$out"
 # the documents, with the pictures and files that they show, and the source: a page without the network has them too
 for document in README.md CHANGELOG.md CONTRIBUTING.md src/README.md tests/README.md scenarios/*.md plots/*/*.md; do
     from=$(dirname "$document")

@@ -21,11 +21,11 @@ fn start() {
 }
 
 /// Runs a scenario. `name` stands for its file; `data` are measurements in place of the file that `calibrate.data` names.
-/// Besides the files, an impact has a `curve`: e against its speed, as a picture and as CSV. All pictures are SVG, and narrow if
-/// `is_narrow`.
+/// Besides the files, an impact has a `curve`: e against its speed, as a picture and as CSV. `pictures` is the format of the pictures,
+/// as in the command; any other word means SVG. Without pictures a run is fast enough to follow a slider.
 #[wasm_bindgen]
-pub fn run(name: &str, text: &str, data: Option<String>, is_narrow: bool) -> String {
-    let pictures = if is_narrow { PictureFormat::NarrowSvg } else { PictureFormat::Svg };
+pub fn run(name: &str, text: &str, data: Option<String>, pictures: &str) -> String {
+    let pictures = PictureFormat::from_name(pictures).unwrap_or(PictureFormat::Svg);
     reply(scenario(name, text, data).and_then(|scenario| reply::run(&scenario, pictures)))
 }
 

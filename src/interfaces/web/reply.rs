@@ -58,7 +58,7 @@ fn table_outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, E
     table::summarise(scenario, &plan, &tally, options, Some(table))
 }
 
-/// The picture in this format, and its points as CSV; `None` for a sphere that is released at first contact.
+/// The picture in this format, if pictures are wanted, and its points as CSV; `None` for a sphere that is released at first contact.
 fn curve(scenario: &Scenario, format: PictureFormat) -> Result<Option<Value>, Error> {
     let (input, _, impact) = impact::compute(scenario, None)?;
     let (key, at) = match input.number(key!("impact.drop_height")) {
@@ -75,18 +75,17 @@ fn curve(scenario: &Scenario, format: PictureFormat) -> Result<Option<Value>, Er
     let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis.into()])?;
     let mut plan = swept.plan()?;
     plan.columns = Some(vec!["restitution"]);
-    let drawn = pictures(&plan, &Tally::new(&plan)).into_iter().next();
-    drawn
-        .map(|(_, mut chart)| {
-            let point = Series::points("this impact", vec![(at, impact.row.restitution)]).with_style(Style::BLACK);
-            let point = point.with_note(format!("e = {}", format_four_digits(impact.row.restitution)));
-            chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
-            "Restitution of the same bodies".clone_into(&mut chart.title);
-            let mut files: Vec<OutputFile> = format.to_file("restitution", &chart)?.into_iter().collect();
-            files.push(OutputFile { name: "restitution.csv".to_owned(), bytes: table_csv(&plan)?.0 });
-            Ok(file_texts(files))
-        })
-        .transpose()
+    let mut files = Vec::new();
+    if format != PictureFormat::None {
+        let Some((_, mut chart)) = pictures(&plan, &Tally::new(&plan)).into_iter().next() else { return Ok(None) };
+        let point = Series::points("this impact", vec![(at, impact.row.restitution)]).with_style(Style::BLACK);
+        let point = point.with_note(format!("e = {}", format_four_digits(impact.row.restitution)));
+        chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
+        "Restitution of the same bodies".clone_into(&mut chart.title);
+        files.extend(format.to_file("restitution", &chart)?);
+    }
+    files.push(OutputFile { name: "restitution.csv".to_owned(), bytes: table_csv(&plan)?.0 });
+    Ok(Some(file_texts(files)))
 }
 
 /// The table as CSV, and what its rows add up to.

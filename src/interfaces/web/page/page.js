@@ -1,10 +1,14 @@
 // The page: the text of the scenario is what is run; form and address follow it, and a field changes it.
 
+import { makeBench } from "./bench.js";
 import { download, element } from "./element.js";
+import { EXPERIMENTS, experiment } from "./experiments.js";
 import { makeForm } from "./form.js";
+import { keepOffline } from "./offline.js";
 import { isNarrow, onRoom } from "./picture.js";
 import { fields, givenValues, load, materials, run, templates, withValue } from "./program.js";
 import { markStale, showResults } from "./results.js";
+import { makeSweepFields } from "./sweep.js";
 
 const FILE = "scenario.toml";
 const DATA = "calibrate.data";
@@ -16,42 +20,55 @@ const byId = (id) => document.getElementById(id);
 let text = "";
 let data;
 let form;
+let bench;
+let sweep;
 let later;
+// A value that moves is computed without pictures; the pictures follow when it rests so long.
+const REST_MS = 350;
+let rest = null;
+// whether the files of the page are being kept for a time without a network
+let isOffline = false;
 // a key that was emptied, with the text before and after
 let emptied = null;
 
-/** Takes another text, shows it everywhere, and runs it. */
-function setScenario(newText) {
+/** Takes another text, shows it everywhere, and runs it; without pictures while a value moves. */
+function setScenario(newText, isMoving = false) {
   text = newText;
   if (byId("text").value !== text) byId("text").value = text;
   const values = givenValues(text);
   // a text that is no TOML leaves the form as it was
   byId("form").toggleAttribute("inert", Boolean(values.error));
-  if (!values.error) form.fill(values);
+  if (!values.error) {
+    form.fill(values);
+    bench.fill(values);
+    sweep.fill(values);
+  }
   byId("measured").hidden = data === undefined;
   byId("measured").firstElementChild.textContent = `measured: ${values[DATA] ?? "not used by the scenario"}`;
   // what was copied is not this scenario
   byId("told").textContent = "";
   byId("address").hidden = true;
-  compute();
+  compute(isMoving);
   // browsers take only some changes of the address a second
   clearTimeout(later);
   later = setTimeout(address, 300);
 }
 
-function compute() {
+function compute(isMoving = false) {
+  clearTimeout(rest);
+  rest = isMoving ? setTimeout(compute, REST_MS) : null;
   byId("results").ariaBusy = "true";
-  run(FILE, text, data, isNarrow(byId("pictures")));
+  run(FILE, text, data, isMoving ? "none" : isNarrow(byId("pictures")) ? "narrow-svg" : "svg");
 }
 
-/** Takes other values of keys, as they are typed. */
-function change(changes) {
+/** Takes other values of keys, as they are typed or moved. */
+function change(changes, isMoving = false) {
   const [[path, value]] = changes;
   // a field that is emptied and typed in again leaves its key where it was, with its comments
   const from = emptied?.path === path && emptied.after === text ? emptied.before : text;
   const after = changes.reduce((text, [path, value]) => withValue(text, path, value), from);
   emptied = changes.length === 1 && value === "" ? { path, before: from, after } : null;
-  setScenario(after);
+  setScenario(after, isMoving);
 }
 
 /** The text without the comments of the first scenarios, which explain keys. */
@@ -73,6 +90,7 @@ function address() {
   clearTimeout(later);
   const link = new URLSearchParams({ scenario: withoutTemplateComments(text) });
   if (data !== undefined && !isTooLong()) link.set("data", data);
+  for (const kept of bench.texts()) link.append("kept", withoutTemplateComments(kept));
   const kept = isTooLong() ? { text, data } : { text };
   try {
     history.replaceState(kept, "", `#${link}`);
@@ -90,10 +108,13 @@ function restore() {
   const isOfThisBrowser = whole !== undefined && withoutTemplateComments(whole) === linked;
   data = link.get("data") ?? (isOfThisBrowser ? measured : undefined);
   setScenario(isOfThisBrowser ? whole : (linked ?? templates().impact));
+  // the kept curves wait until the first result is there
+  bench.restore(link.getAll("kept"));
 }
 
-function done(reply) {
-  byId("results").ariaBusy = "false";
+function done(reply, [, computed, , pictures]) {
+  const isMoving = pictures === "none";
+  if (!isMoving) byId("results").ariaBusy = "false";
   const { error, details } = reply;
   const cure = details?.missing_key ? cureOf(details.missing_key) : null;
   const isAtField = form.showError(details?.key, details?.message, cure);
@@ -101,7 +122,14 @@ function done(reply) {
   byId("problem").replaceChildren(error ?? "", ...(cure && !isAtField ? ["\n", cure] : []));
   byId("problem").classList.toggle("at-field", isAtField);
   if (error) markStale();
-  else showResults(reply);
+  else {
+    showResults(reply, isMoving);
+    // the numbers are seen first
+    if (isMoving) bench.show(reply, computed);
+    else setTimeout(() => bench.show(reply, computed));
+    if (!isOffline) keepOffline();
+    isOffline = true;
+  }
 }
 
 /** A button that adds a key which is asked for; none for a key without an example. */
@@ -142,16 +170,23 @@ async function copyLink() {
 
 function listen() {
   byId("text").addEventListener("input", () => setScenario(byId("text").value));
-  byId("begin").addEventListener("change", () => {
-    const kind = byId("begin").value;
-    if (!kind) return;
+  byId("begin").addEventListener("change", async () => {
+    const name = byId("begin").value;
+    if (!name) return;
+    const begun = templates()[name] ?? (await experiment(name).catch(refuse));
+    if (!begun) return;
     // the way back leads to the scenario before
     address();
     history.pushState(null, "");
     data = undefined;
     byId("data").value = "";
-    setScenario(templates()[kind]);
+    setScenario(begun);
   });
+  byId("full").addEventListener("click", () =>
+    document.fullscreenElement ? document.exitFullscreen() : byId("results").requestFullscreen(),
+  );
+  byId("to-values").addEventListener("click", () => byId("begin").focus());
+  byId("print").addEventListener("click", () => window.print());
   byId("data").addEventListener("change", () => byId("data").files[0] && measure(byId("data").files[0]));
   byId("without").addEventListener("click", () => {
     data = undefined;
@@ -175,6 +210,15 @@ function listen() {
   onRoom(byId("pictures"), compute);
 }
 
+function refuse(error) {
+  byId("problem").hidden = false;
+  byId("problem").textContent = error.message;
+}
+
+function addChoices(label, choices) {
+  byId("begin").append(element("optgroup", { label }, ...choices.map(({ name, title }) => new Option(title, name))));
+}
+
 function openText() {
   byId("source").open = true;
   byId("text").focus();
@@ -183,9 +227,21 @@ function openText() {
 try {
   await load(done);
   const kinds = Object.keys(templates());
-  for (const kind of kinds) byId("begin").append(new Option(kind.replace("_", " "), kind));
+  addChoices("Experiments", EXPERIMENTS);
+  addChoices(
+    "Empty forms",
+    kinds.map((kind) => ({ name: kind, title: kind.replace("_", " ") })),
+  );
+  const [keys, known] = [fields(), materials()];
   const usual = Object.keys(givenValues(templates().impact));
-  form = makeForm(byId("form"), { fields: fields(), materials: materials(), kinds, usual, changed: change, openText });
+  form = makeForm(byId("form"), { fields: keys, materials: known, kinds, usual, changed: change, openText });
+  sweep = makeSweepFields(byId("sweep"), { fields: keys, changed: change });
+  bench = makeBench({
+    fields: keys,
+    materials: known,
+    change: (path, value) => change([[path, value]], true),
+    keptChanged: address,
+  });
   listen();
   restore();
 } catch (error) {

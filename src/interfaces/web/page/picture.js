@@ -23,8 +23,14 @@ export function picture(name, svg) {
   const drawn = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
   const title = name.replace(".svg", "").replaceAll("_", " ");
   drawn.setAttribute("role", "img");
-  drawn.setAttribute("aria-label", `picture: ${title}`);
+  drawn.setAttribute("aria-label", `picture: ${title}. ${words(drawn).join("; ")}`);
   const frame = element("div", { className: "picture" });
   frame.append(document.importNode(drawn, true));
   return element("figure", { id: `picture-${title.replaceAll(" ", "-")}` }, frame);
+}
+
+// What is written in a picture, without the numbers of its axes: title, names of axes and curves, values of points.
+function words(drawn) {
+  const texts = [...drawn.querySelectorAll("text")].map((one) => one.textContent.trim());
+  return texts.filter((text) => /\p{L}{2}/u.test(text));
 }

@@ -9,23 +9,15 @@ const byId = (id) => document.getElementById(id);
 const SHOWN = 10;
 let hasResults = false;
 
-/** Shows the results of a scenario. */
-export function showResults({ kind, warnings, text, contradiction, files, curve }) {
+/** Shows the results of a scenario; while a value moves, the pictures and files are those before. */
+export function showResults({ kind, warnings, text, contradiction, files, curve }, isMoving) {
   const cautions = [...warnings, ...(contradiction ? [contradiction] : [])];
   byId("warnings").replaceChildren(...cautions.map((text) => element("li", text)));
   byId("warnings").hidden = cautions.length === 0;
   const table = files["table.csv"];
   byId("numbers").replaceChildren(...blocks(text), ...(table ? [csvTable("table.csv", table, SHOWN)] : []));
-  const all = { ...files, ...curve };
-  const pictures = Object.entries(all).filter(([name]) => name.endsWith(".svg"));
-  byId("pictures").replaceChildren(...pictures.map(([name, svg]) => picture(name, svg)));
-  const buttons = Object.entries(all).map(([name, content]) => {
-    const button = element("button", { type: "button" }, name);
-    button.addEventListener("click", () => download(name, content));
-    return button;
-  });
-  byId("files").replaceChildren("Download: ", ...buttons.flatMap((button) => [button, " "]));
-  byId("files").hidden = false;
+  if (!isMoving) showFiles({ ...files, ...curve });
+  for (const id of ["pictures", "files"]) byId(id).classList.toggle("before", isMoving);
   byId("results").classList.remove("old");
   hasResults = true;
   // this is what a screen reader says of a change, and what stays in view
@@ -38,6 +30,18 @@ export function showResults({ kind, warnings, text, contradiction, files, curve 
       : lines[0].split(/ {2,}/).join(" ");
   byId("state").textContent = `${kind.replace("_", " ")} ${short}`.trim();
   byId("state").classList.remove("refused");
+}
+
+function showFiles(all) {
+  const pictures = Object.entries(all).filter(([name]) => name.endsWith(".svg"));
+  byId("pictures").replaceChildren(...pictures.map(([name, svg]) => picture(name, svg)));
+  const buttons = Object.entries(all).map(([name, content]) => {
+    const button = element("button", { type: "button" }, name);
+    button.addEventListener("click", () => download(name, content));
+    return button;
+  });
+  byId("files").replaceChildren("Download: ", ...buttons.flatMap((button) => [button, " "]));
+  byId("files").hidden = false;
 }
 
 /** Marks the results as those of a scenario before the one that was refused. */

@@ -1,6 +1,7 @@
 // A row of the form: the field of a key, or of two keys that stand in place of each other.
 
 import { element } from "./element.js";
+import { parts, stepped } from "./value.js";
 
 /** Makes the row of a field; `changed([[path, value], ...])` is called when the user changes it. */
 export function makeRow(first, materials, changed) {
@@ -30,6 +31,16 @@ export function makeRow(first, materials, changed) {
 
   // some browsers and tools send only one of the two events
   for (const kind of ["input", "change"]) input.addEventListener(kind, tell);
+  if (!first.words) input.addEventListener("keydown", turn);
+
+  // the keys up and down change a number by one in its second digit
+  function turn(event) {
+    const found = { ArrowUp: 1, ArrowDown: -1 }[event.key] && parts(input.value);
+    if (!found) return;
+    event.preventDefault();
+    input.value = `${stepped(found.number, event.key === "ArrowUp" ? 1 : -1)} ${found.unit}`.trim();
+    tell();
+  }
 
   function tell() {
     const value = input.value.trim();
