@@ -26,6 +26,12 @@ named_enum! {
         Yade = "yade",
         /// MercuryDPM, a species with e and contact time.
         Mercury = "mercury",
+        /// Drake, point contact.
+        Drake = "drake",
+        /// `MuJoCo`, `solref` with stiffness and damping.
+        Mujoco = "mujoco",
+        /// Chrono, smooth contact of the model Hertz.
+        Chrono = "chrono",
         /// A table e(v) as CSV.
         Csv = "csv",
     }
@@ -39,8 +45,16 @@ impl TargetCode {
             Self::Liggghts | Self::Yade => {
                 Some("not tested automatically; verified once (ball on a wall, e within 1 %). Check one rebound first.")
             }
-            Self::Mercury => Some("never run in that code. Check one rebound first."),
+            Self::Drake | Self::Mujoco | Self::Chrono => Some(
+                "tested with the equation of that code, e within 1 %; not run in that code. Check one rebound first.",
+            ),
+            Self::Mercury => None,
         }
+    }
+
+    /// True if the lines have a tangential spring.
+    fn has_tangential_spring(self) -> bool {
+        matches!(self, Self::Lammps | Self::Liggghts | Self::Yade | Self::Mercury)
     }
 
     /// True if the code reads a table e(v).
@@ -75,19 +89,23 @@ pub(super) struct Exporter<'a> {
 impl Exporter<'_> {
     /// All lines for a code; `table` holds the impacts of a table e(v).
     pub fn lines(&self, request: &ExportRequest, table: &[Impact]) -> Result<String, Error> {
-        let comment = match request.target {
-            TargetCode::Mercury => "//",
-            _ => "#",
-        };
         let mut text = String::new();
         for line in self.header_lines(request) {
-            let _ = writeln!(text, "{comment} {line}");
+            let _ = match request.target {
+                TargetCode::Mercury | TargetCode::Chrono => writeln!(text, "// {line}"),
+                // a comment of XML holds no two hyphens
+                TargetCode::Mujoco => writeln!(text, "<!-- {} -->", line.replace("--", "- -")),
+                _ => writeln!(text, "# {line}"),
+            };
         }
         text += &match request.target {
             TargetCode::Lammps => self.lammps(),
             TargetCode::Liggghts => self.liggghts()?,
             TargetCode::Yade => self.yade()?,
             TargetCode::Mercury => self.mercury(),
+            TargetCode::Drake => self.drake()?,
+            TargetCode::Mujoco => self.mujoco()?,
+            TargetCode::Chrono => self.chrono()?,
             TargetCode::Csv => table_csv(table),
         };
         Ok(text)
@@ -97,7 +115,13 @@ impl Exporter<'_> {
     fn header_lines(&self, request: &ExportRequest) -> Vec<String> {
         let speed = self.impact.speed;
         let (restitution, ImpactRow { contact_time, peak_force, .. }) = (self.e, self.impact.row);
-        let mut about: Vec<String> = self.impact.warnings.iter().map(|warning| format!("warning: {warning}")).collect();
+        let mut about = Vec::new();
+        if request.target == TargetCode::Mercury {
+            about.push(
+                "untested template: these lines were never run in MercuryDPM. Check one rebound first.".to_owned(),
+            );
+        }
+        about.extend(self.impact.warnings.iter().map(|warning| format!("warning: {warning}")));
         about.extend([
             format!("{PROGRAM}: {}", self.command),
             format!("scenario {}, SHA-256 {}", self.scenario.document.name(), self.scenario.sha256()),
@@ -132,11 +156,14 @@ impl Exporter<'_> {
             let (step, steps) = (self.time_step(), steps_per_contact(restitution));
             about.push(format!("time step {step:.3e} s or less: {steps} steps per contact, error of e below 1 %"));
             about.push(format!("sphere of {}", self.bodies()));
-            about.push(
-                "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
-            );
+            let model = match request.target {
+                TargetCode::Drake => "spring with the damping of Hunt and Crossley",
+                TargetCode::Chrono => "damped Hertz contact",
+                _ => "damped linear spring",
+            };
+            about.push(format!("{model}: e and contact time are those of the law, the peak force is not"));
         }
-        if self.contact.friction.is_some() && !request.target.accepts_table() {
+        if self.contact.friction.is_some() && request.target.has_tangential_spring() {
             about.push(
                 "friction: Coulomb's, with a tangential spring of 2/7 of the normal one; plots/validate has what springs cost".to_owned(),
             );
@@ -194,7 +221,7 @@ impl Exporter<'_> {
     }
 
     /// Time step with which a damped spring is accurate enough \[s\].
-    fn time_step(&self) -> f64 {
+    pub(super) fn time_step(&self) -> f64 {
         self.impact.row.contact_time / steps_per_contact(self.e)
     }
 
