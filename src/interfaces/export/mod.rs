@@ -10,6 +10,7 @@
 //! The mass m is the effective mass of two spheres, and the sphere's own on a wall. The peak force of the damped spring follows from
 //! these parameters. It differs from the peak force of the law.
 
+mod dem_codes;
 mod engines;
 mod exported_contact;
 mod exporter;
