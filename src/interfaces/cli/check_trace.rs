@@ -36,7 +36,7 @@ pub struct CheckTraceArguments {
     overrides: Vec<String>,
     /// Mass of the relative motion, for the restitution by work: m of a sphere on a wall, m1 m2/(m1 + m2) of two spheres [default: mass in
     /// the scenario]
-    #[arg(long, value_name = "MASS")]
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
     mass: Option<String>,
     /// Folder for the picture contact_trace [default: plots/<name of the trace>]
     #[arg(long, value_name = "DIR")]
