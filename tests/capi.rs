@@ -149,8 +149,7 @@ fn friction_along_the_path(contact: &Contact) -> String {
 /// A program is compiled as plots/lammps/README.md says.
 const LINKED_WITH: [&str; 3] = ["-lm", "-lpthread", "-ldl"];
 
-/// The header of a contact has the forces of the C functions, and is at most as slow. The library here is optimised as for all tests;
-/// with a release build the function takes a third of the time that it takes here.
+/// The header of a contact has the forces of the C functions within rounding, and takes less time for a force.
 #[test]
 fn header_has_forces_of_functions_at_less_time() {
     let scenario = root().join("scenarios/steel-on-steel.toml");
