@@ -124,11 +124,11 @@ impl TraceMeasures {
                 self.n_steps
             ));
         }
-        // a smooth contact changes by π/N of the peak in a step; damping and hysteresis by some more
+        // a smooth contact changes by π/N of the peak in a step, and with hysteresis by some more
         let (jump, time) = self.largest_jump;
         #[allow(clippy::cast_precision_loss)] // steps
         let smooth = 10.0 / self.n_steps as f64;
-        if jump > smooth.max(0.05) * self.peak_force {
+        if jump > smooth.clamp(0.05, 0.5) * self.peak_force {
             warnings.push(format!(
                 "the force jumps by {} of the peak force at {time:e} s. A jump costs or makes energy that depends on the time step.",
                 percent(jump, self.peak_force)
