@@ -60,6 +60,7 @@ impl ContactTrace {
         let spaced = with_commas(text);
         let table = CsvReader::new(spaced.as_deref().unwrap_or(text))?;
         let line = table.line;
+        let names: Vec<String> = table.header.iter().map(str::to_owned).collect();
         let mut notes = Vec::new();
         let columns = find_columns(&table.header, &mut notes).map_err(|message| (line, message))?;
         let mut steps: Vec<TraceStep> = Vec::new();
@@ -72,14 +73,12 @@ impl ContactTrace {
             for (value, (place, scale)) in values.iter_mut().zip(columns) {
                 let field = record.get(place).unwrap_or_default();
                 let number = field.parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(|| {
-                    let name = &table_name(&spaced, text, place);
-                    (
-                        Some(line),
-                        format!(
-                            "column {}{name}: \"{field}\" is no number. Give a value, or remove the line.",
-                            place + 1
-                        ),
-                    )
+                    let name = names.get(place).map(String::as_str).unwrap_or_default();
+                    let message = format!(
+                        "column {}, `{name}`: \"{field}\" is no number. Give a value, or remove the line.",
+                        place + 1
+                    );
+                    (Some(line), message)
                 })?;
                 *value = number * scale;
             }
@@ -108,7 +107,9 @@ impl ContactTrace {
         let total: f64 = steps.iter().map(|step| step.force).sum();
         if total < 0.0 {
             notes.push("the force is negative in contact: it is taken as the force on the body that is hit".to_owned());
-            steps.iter_mut().for_each(|step| step.force = -step.force);
+            for step in &mut steps {
+                step.force = -step.force;
+            }
         }
         let has_force = |step: &TraceStep| step.force.abs() > NO_FORCE * largest;
         let mut contacts: Vec<[usize; 2]> = Vec::new();
@@ -156,12 +157,6 @@ impl ContactTrace {
         }
         Ok(Self { steps, contact, notes })
     }
-}
-
-/// The name of a column for a message.
-fn table_name(spaced: &Option<String>, text: &str, place: usize) -> String {
-    let reader = CsvReader::new(spaced.as_deref().unwrap_or(text)).ok();
-    reader.and_then(|reader| Some(format!(", `{}`", reader.header.get(place)?))).unwrap_or_default()
 }
 
 /// A table between spaces with commas, and with the names in its first line. `None` for a text that has commas, semicolons or tabs.

@@ -38,14 +38,14 @@ impl TargetCode {
     /// The note above lines that no test of this program runs in the other code.
     fn untested_note(self) -> Option<&'static str> {
         match self {
-            Self::Lammps | Self::Csv => None,
+            // the lines of MercuryDPM say it first
+            Self::Lammps | Self::Csv | Self::Mercury => None,
             Self::Liggghts | Self::Yade => {
                 Some("not tested automatically; verified once (ball on a wall, e within 1 %). Check one rebound first.")
             }
             Self::Drake | Self::Mujoco | Self::Chrono => Some(
                 "tested with the equation of that code, e within 1 %; not run in that code. Check one rebound first.",
             ),
-            Self::Mercury => None,
         }
     }
 
