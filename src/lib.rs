@@ -215,6 +215,8 @@ pub mod bench;
 pub mod calibrate;
 pub mod contact;
 #[doc(hidden)]
+pub mod contact_trace;
+#[doc(hidden)]
 pub mod error;
 #[doc(hidden)]
 pub mod files;

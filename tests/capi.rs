@@ -11,6 +11,7 @@ use std::process::Command;
 use std::sync::LazyLock;
 
 use plm_impact::impact::{Contact, FrictionStep, Memory};
+use plm_impact::interfaces::export::header::header_files;
 use plm_impact::scenario::Scenario;
 
 #[path = "common/golden.rs"]
@@ -147,6 +148,22 @@ fn friction_along_the_path(contact: &Contact) -> String {
 
 /// A program is compiled as plots/lammps/README.md says.
 const LINKED_WITH: [&str; 3] = ["-lm", "-lpthread", "-ldl"];
+
+/// The header of a contact has the forces of the C functions within rounding, and takes less time for a force.
+#[test]
+fn header_has_forces_of_functions_at_less_time() {
+    let scenario = root().join("scenarios/steel-on-steel.toml");
+    let folder = tempfile::tempdir().unwrap();
+    for file in header_files(&Scenario::load(&scenario, &[]).unwrap(), "steel", "tests/capi.rs").unwrap() {
+        fs::write(folder.path().join(file.name), file.bytes).unwrap();
+    }
+    let include = format!("-I{}", folder.path().display());
+    let line = printed("tests/capi/header.c", Link::Static, &["-O2", &include], &[&scenario]);
+    let numbers: Vec<f64> =
+        line.split_whitespace().filter_map(|word| word.trim_end_matches(',').parse().ok()).collect();
+    assert!(numbers[0] < 1e-13 && numbers[2] < numbers[1], "{line}");
+    println!("{line}");
+}
 
 /// How a C program gets the functions.
 #[derive(Clone, Copy)]

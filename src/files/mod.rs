@@ -58,10 +58,12 @@ pub fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
     }
 }
 
-/// The error of a file that another program wrote.
-pub fn foreign_file_error(path: &Path) -> Error {
-    let reason = "already exists and was not written by this program. Move the file, choose another --out, or use --force to replace it.";
-    Error::for_path(path, reason)
+/// The ways out of a file of another program where results go.
+pub const FOREIGN_FILE_ADVICE: &str = "Move the file, choose another --out, or use --force to replace it.";
+
+/// The error of a file that another program wrote, and the ways out.
+pub fn foreign_file_error(path: &Path, advice: &str) -> Error {
+    Error::for_path(path, format!("already exists and was not written by this program. {advice}"))
 }
 
 /// The error of a result that would replace the file of the scenario, or a file that the scenario reads.
@@ -162,7 +164,7 @@ impl OutputDirectory {
         let summary: Value = serde_json::from_slice(&text).unwrap_or_default();
         let noted = |key: &str| summary["provenance"][key].as_str();
         let (Some(hash), Some(other)) = (noted("scenario_sha256"), noted("scenario_file")) else {
-            return if self.is_forced { Ok(None) } else { Err(foreign_file_error(&path)) };
+            return if self.is_forced { Ok(None) } else { Err(foreign_file_error(&path, FOREIGN_FILE_ADVICE)) };
         };
         let numbers = summary["provenance"]["numbers_version"].as_u64();
         let is_of_this_version = noted("version") == Some(VERSION) && numbers == Some(RESULTS_VERSION);
@@ -249,7 +251,11 @@ impl OutputDirectory {
         if self.is_forced || is_listed() || !place.exists() || name == SUMMARY_FILE {
             return Ok(());
         }
-        if is_own(&place).map_err(unwritable_error(&place))? { Ok(()) } else { Err(foreign_file_error(&place)) }
+        if is_own(&place).map_err(unwritable_error(&place))? {
+            Ok(())
+        } else {
+            Err(foreign_file_error(&place, FOREIGN_FILE_ADVICE))
+        }
     }
 
     /// Refuses to remove a folder of results that holds a file of the scenario.

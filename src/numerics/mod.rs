@@ -4,6 +4,7 @@
 pub mod curve;
 pub mod functions;
 pub mod ode;
+pub mod piecewise_fit;
 pub mod power;
 pub mod quadrature;
 pub mod root;

@@ -45,5 +45,15 @@ def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool | None = False
     return output
 
 
+def command() -> str:
+    """The command of this repository, which a build has made."""
+    path = os.environ.get(
+        "PLM_IMPACT_TEST_COMMAND", str(ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug/plm-impact")
+    )
+    if not Path(path).exists():
+        pytest.skip(f"{path} is not built: set PLM_IMPACT_TEST_COMMAND")
+    return path
+
+
 def table(dump: Path) -> np.ndarray:
     return np.loadtxt(dump, skiprows=9)

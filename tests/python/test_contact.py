@@ -168,6 +168,19 @@ def test_energy_is_the_work_of_the_force(contact: plm.Contact) -> None:
     assert at_once[0].tolist() == stored[1:4000] and at_once[1].tolist() == plastic[1:4000]
 
 
+def test_header_has_vectors_of_force(contact: plm.Contact) -> None:
+    files = contact.header("steel")
+    assert sorted(files) == ["plm_steel.h", "plm_steel_test.c", "plm_steel_vectors.csv"]
+    assert "plm_steel_force(PLM_REAL indentation" in files["plm_steel.h"]
+    rows = [[float(word) for word in line.split(",")] for line in files["plm_steel_vectors.csv"].splitlines()[2:]]
+    memory = None
+    for row in rows:
+        force, memory = contact.force(row[0], memory)
+        assert abs(force - row[1]) <= 1e-14 * max(row[1], row[3])
+        memory = None if row[0] <= 0.0 else memory
+    assert len(rows) == 1000
+
+
 def test_stiffness_is_the_slope_of_force(contact: plm.Contact) -> None:
     deepest, small = np.array([1e-5, 2e-5, 3e-5]), 1e-10
     _, memory = contact.force(deepest)

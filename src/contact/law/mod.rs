@@ -291,7 +291,7 @@ impl Law {
             _ => {
                 let peak = self.loaded_state(x);
                 // a relaxed metal follows its branch until the branch meets the loading curve
-                let relaxed = memory.filter(|_| self.relaxes());
+                let relaxed = memory.filter(|old| self.relaxes() && self.leaves_dent(old.indentation));
                 let force_beyond = |old: &Unloading| old.to_piece().force_at_distance(x - old.peak.residual());
                 match relaxed.map(|old| force_beyond(&self.unload(old))) {
                     Some(force) if force < peak.force => (force, memory),

@@ -159,6 +159,11 @@ impl Unloading {
         Self { peak, exponent, curve: Some(curve) }
     }
 
+    /// True if the branch is no power law.
+    pub(crate) fn has_curve(&self) -> bool {
+        self.curve.is_some()
+    }
+
     /// The time from the peak to x_r, times the speed there over ε_m.
     #[inline]
     pub(crate) fn quarter_period_factor(&self) -> f64 {

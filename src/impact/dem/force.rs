@@ -111,7 +111,8 @@ impl Contact {
             return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
         };
         let unloading = law.unload(peak);
-        let stored = unloading.stored_energy_at(indentation / scales.units.length - peak.residual());
+        // a metal that relaxes has a deeper dent than its memory
+        let stored = unloading.stored_energy_at(indentation / scales.units.length - unloading.peak.residual());
         ContactEnergy {
             stored: stored * scales.units.energy(),
             plastic: Surface::from(law).plastic_work(&unloading) * scales.units.energy(),
@@ -127,8 +128,11 @@ impl Contact {
         let Self { scales, law, .. } = self;
         let x = indentation / scales.units.length;
         let slope = match memory.to_state(scales.units.length, scales.units.force) {
-            Some(peak) if x <= peak.residual() => 0.0,
-            Some(peak) if x <= peak.indentation => law.unload(peak).slope_at(x - peak.residual()),
+            Some(peak) if x <= peak.indentation => {
+                let unloading = law.unload(peak);
+                let recovered = x - unloading.peak.residual();
+                if recovered <= 0.0 { 0.0 } else { unloading.slope_at(recovered) }
+            }
             None if x <= 0.0 => 0.0,
             _ => law.loading.pieces()[law.loading.index_at(x)].slope_at(x),
         };

@@ -2,6 +2,7 @@
 
 mod bench;
 mod calibrate;
+mod check_trace;
 mod completions;
 mod drop;
 mod export;
@@ -60,6 +61,7 @@ enum Command {
     Check(run::CheckArguments),
     Calibrate(calibrate::CalibrateArguments),
     Export(export::ExportArguments),
+    CheckTrace(check_trace::CheckTraceArguments),
     /// List the contact laws with sources, formulas, validity and confidence
     #[command(after_help = "Examples:
   plm-impact laws
@@ -97,6 +99,7 @@ pub fn run() -> Result<(), Error> {
         Command::Check(arguments) => run::check(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
         Command::Export(arguments) => export::export(&arguments),
+        Command::CheckTrace(arguments) => check_trace::check_trace(&arguments),
         Command::Laws { json: true } => terminal::print_json(&format!("{:#}\n", laws_json())),
         Command::Laws { json: false } => terminal::print(&laws_text()),
         Command::Keys(arguments) => keys::keys(&arguments),

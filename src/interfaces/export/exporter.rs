@@ -3,14 +3,11 @@
 use std::fmt::Write as _;
 
 use super::exported_contact::ExportedContact;
-use super::springs::{
-    MAX_RESTITUTION_ERROR, constant_restitution_range, damped_spring, non_cohesive_spring, steps_per_contact,
-};
+use super::springs::{MAX_RESTITUTION_ERROR, constant_restitution_range, steps_per_contact};
 use crate::error::Error;
 use crate::files::PROGRAM;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::{Impact, ImpactRow, STANDARD_GRAVITY, StrainRateResult};
-use crate::numerics::functions::{atan, pow};
 use crate::scenario::Scenario;
 use crate::strings::named_enum;
 use crate::units::{Dimension, format_four_digits, format_input};
@@ -26,6 +23,12 @@ named_enum! {
         Yade = "yade",
         /// MercuryDPM, a species with e and contact time.
         Mercury = "mercury",
+        /// Drake, point contact.
+        Drake = "drake",
+        /// `MuJoCo`, `solref` with stiffness and damping.
+        Mujoco = "mujoco",
+        /// Chrono, smooth contact of the model Hertz.
+        Chrono = "chrono",
         /// A table e(v) as CSV.
         Csv = "csv",
     }
@@ -35,12 +38,20 @@ impl TargetCode {
     /// The note above lines that no test of this program runs in the other code.
     fn untested_note(self) -> Option<&'static str> {
         match self {
-            Self::Lammps | Self::Csv => None,
+            // the lines of MercuryDPM say it first
+            Self::Lammps | Self::Csv | Self::Mercury => None,
             Self::Liggghts | Self::Yade => {
                 Some("not tested automatically; verified once (ball on a wall, e within 1 %). Check one rebound first.")
             }
-            Self::Mercury => Some("never run in that code. Check one rebound first."),
+            Self::Drake | Self::Mujoco | Self::Chrono => Some(
+                "tested with the equation of that code, e within 1 %; not run in that code. Check one rebound first.",
+            ),
         }
+    }
+
+    /// True if the lines have a tangential spring.
+    fn has_tangential_spring(self) -> bool {
+        matches!(self, Self::Lammps | Self::Liggghts | Self::Yade | Self::Mercury)
     }
 
     /// True if the code reads a table e(v).
@@ -59,9 +70,6 @@ pub struct ExportRequest {
     pub speeds: Option<(f64, f64)>,
 }
 
-/// Stiffness of a tangential spring over that of the normal one: both swing alike for a solid sphere.
-const TANGENTIAL_STIFFNESS_RATIO: f64 = 2.0 / 7.0;
-
 /// The data that the lines of all codes are made from.
 pub(super) struct Exporter<'a> {
     pub scenario: &'a Scenario,
@@ -75,19 +83,23 @@ pub(super) struct Exporter<'a> {
 impl Exporter<'_> {
     /// All lines for a code; `table` holds the impacts of a table e(v).
     pub fn lines(&self, request: &ExportRequest, table: &[Impact]) -> Result<String, Error> {
-        let comment = match request.target {
-            TargetCode::Mercury => "//",
-            _ => "#",
-        };
         let mut text = String::new();
         for line in self.header_lines(request) {
-            let _ = writeln!(text, "{comment} {line}");
+            let _ = match request.target {
+                TargetCode::Mercury | TargetCode::Chrono => writeln!(text, "// {line}"),
+                // a comment of XML holds no two hyphens
+                TargetCode::Mujoco => writeln!(text, "<!-- {} -->", line.replace("--", "- -")),
+                _ => writeln!(text, "# {line}"),
+            };
         }
         text += &match request.target {
             TargetCode::Lammps => self.lammps(),
             TargetCode::Liggghts => self.liggghts()?,
             TargetCode::Yade => self.yade()?,
             TargetCode::Mercury => self.mercury(),
+            TargetCode::Drake => self.drake()?,
+            TargetCode::Mujoco => self.mujoco()?,
+            TargetCode::Chrono => self.chrono()?,
             TargetCode::Csv => table_csv(table),
         };
         Ok(text)
@@ -97,7 +109,13 @@ impl Exporter<'_> {
     fn header_lines(&self, request: &ExportRequest) -> Vec<String> {
         let speed = self.impact.speed;
         let (restitution, ImpactRow { contact_time, peak_force, .. }) = (self.e, self.impact.row);
-        let mut about: Vec<String> = self.impact.warnings.iter().map(|warning| format!("warning: {warning}")).collect();
+        let mut about = Vec::new();
+        if request.target == TargetCode::Mercury {
+            about.push(
+                "untested template: these lines were never run in MercuryDPM. Check one rebound first.".to_owned(),
+            );
+        }
+        about.extend(self.impact.warnings.iter().map(|warning| format!("warning: {warning}")));
         about.extend([
             format!("{PROGRAM}: {}", self.command),
             format!("scenario {}, SHA-256 {}", self.scenario.document.name(), self.scenario.sha256()),
@@ -132,11 +150,14 @@ impl Exporter<'_> {
             let (step, steps) = (self.time_step(), steps_per_contact(restitution));
             about.push(format!("time step {step:.3e} s or less: {steps} steps per contact, error of e below 1 %"));
             about.push(format!("sphere of {}", self.bodies()));
-            about.push(
-                "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
-            );
+            let model = match request.target {
+                TargetCode::Drake => "spring with the damping of Hunt and Crossley",
+                TargetCode::Chrono => "damped Hertz contact",
+                _ => "damped linear spring",
+            };
+            about.push(format!("{model}: e and contact time are those of the law, the peak force is not"));
         }
-        if self.contact.friction.is_some() && !request.target.accepts_table() {
+        if self.contact.friction.is_some() && request.target.has_tangential_spring() {
             about.push(
                 "friction: Coulomb's, with a tangential spring of 2/7 of the normal one; plots/validate has what springs cost".to_owned(),
             );
@@ -194,146 +215,8 @@ impl Exporter<'_> {
     }
 
     /// Time step with which a damped spring is accurate enough \[s\].
-    fn time_step(&self) -> f64 {
+    pub(super) fn time_step(&self) -> f64 {
         self.impact.row.contact_time / steps_per_contact(self.e)
-    }
-
-    /// Stiffness of the damped linear spring \[N/m\].
-    fn stiffness(&self) -> f64 {
-        damped_spring(self.contact.contact.reduced_mass(), self.e, self.impact.row.contact_time)
-    }
-
-    fn lammps(&self) -> String {
-        let tangential = match self.contact.friction {
-            None => "linear_nohistory 0.0 0.0".to_owned(),
-            Some(friction) => {
-                format!("linear_history {:.9e} 0.0 {friction}", TANGENTIAL_STIFFNESS_RATIO * self.stiffness())
-            }
-        };
-        let [contact, end] = match self.contact.ball {
-            None => ["fix wall all wall/gran granular", " zplane 0.0 NULL"],
-            Some(_) => ["comm_modify vel yes\npair_style granular\npair_coeff * *", ""],
-        };
-        format!(
-            "units si\n{contact} hooke {:.9e} {:.9} damping coeff_restitution tangential {tangential}{end}\ntimestep {:.3e}\n",
-            self.stiffness(),
-            self.e,
-            self.time_step()
-        )
-    }
-
-    /// LIGGGHTS computes the stiffness k of its hooke model from a modulus Y: k = (16/15) √R Y* (15 m V²/(16 √R
-    /// Y*))^(1/5), with Y* = Y/(2 (1 − ν²)) for equal bodies and the characteristic velocity V.
-    fn liggghts(&self) -> Result<String, Error> {
-        const POISSONS_RATIO: f64 = 0.3;
-        // LIGGGHTS stops at such values
-        const MIN_RESTITUTION: f64 = 0.05;
-        const MIN_MODULUS: f64 = 5e6;
-        if self.e <= MIN_RESTITUTION {
-            return Err(Error::input(format!(
-                "--to liggghts: LIGGGHTS refuses e of {MIN_RESTITUTION} or less, and e is {:.4} at {} m/s; give a lower --speed, or less damping",
-                self.e, self.impact.speed
-            )));
-        }
-        let (mass, speed) = (self.contact.contact.reduced_mass(), self.impact.speed);
-        let scaled = pow(self.stiffness() / pow(mass * speed * speed, 0.2), 1.25);
-        // the wall of these lines is flat
-        let radius = match self.contact.ball {
-            None => self.contact.contact.sphere().radius,
-            Some(_) => self.contact.contact.pair().radius,
-        };
-        let effective = 15.0 * scaled / (16.0 * radius.sqrt());
-        // without these words the tangential spring is as stiff as the normal one, and has damping
-        let (friction, history) = self
-            .contact
-            .friction
-            .map_or((0.0, "no_history"), |friction| (friction, "history tangential_damping off ktToKnUser on"));
-        let modulus = 2.0 * (1.0 - POISSONS_RATIO * POISSONS_RATIO) * effective;
-        let wall = match self.contact.ball {
-            None => format!("fix wall all wall/gran model hooke tangential {history} primitive type 1 zplane 0.0\n"),
-            Some(_) => String::new(),
-        };
-        let soft = if modulus < MIN_MODULUS { "soft_particles yes\n" } else { "" };
-        Ok(format!(
-            "{soft}hard_particles yes\nunits si\nfix young all property/global youngsModulus peratomtype {modulus:.9e}\n\
-             fix poisson all property/global poissonsRatio peratomtype {POISSONS_RATIO}\n\
-             fix restitution all property/global coefficientRestitution peratomtypepair 1 {:.9}\n\
-             fix friction all property/global coefficientFriction peratomtypepair 1 {friction:?}\n\
-             fix speed all property/global characteristicVelocity scalar {speed}\n\
-             pair_style gran model hooke tangential {history}\npair_coeff * *\n\
-             {wall}timestep {:.3e}\n",
-            self.e,
-            self.time_step()
-        ))
-    }
-
-    /// Density of the second ball \[kg/m³\], where it is another one than that of the first.
-    fn second_density(&self) -> Option<f64> {
-        let contact = &self.contact.contact;
-        let density = self.contact.ball.and(contact.half_space().density);
-        density.filter(|density| *density != contact.sphere().density)
-    }
-
-    /// Yade puts the springs of the two materials in series, and its damped springs never pull.
-    fn yade(&self) -> Result<String, Error> {
-        let (restitution, contact_time) = (self.e, self.impact.row.contact_time);
-        let (stiffness, damping) = non_cohesive_spring(self.contact.contact.reduced_mass(), restitution, contact_time)
-            .ok_or_else(|| {
-                Error::input(format!(
-                    "--to yade: a damped spring of Yade has e above exp(-2) = 0.135, and e is {restitution:.4}"
-                ))
-            })?;
-        let friction = self.contact.friction.unwrap_or(0.0);
-        let tangential = if friction > 0.0 { TANGENTIAL_STIFFNESS_RATIO * 2.0 * stiffness } else { 0.0 };
-        let angle = atan(friction);
-        let material = |name: &str, density: f64| {
-            format!(
-                "{name} = ViscElMat(density={density:.9e}, kn={:.9e}, cn={:.9e}, ks={tangential:?}, cs=0.0, frictionAngle={angle:?})\n\
-                 O.materials.append({name})\n",
-                2.0 * stiffness,
-                2.0 * damping
-            )
-        };
-        let second = self.second_density().map_or_else(String::new, |density| material("second_material", density));
-        Ok(format!(
-            "{}{second}functors = [Ip2_ViscElMat_ViscElMat_ViscElPhys()], [Law2_ScGeom_ViscElPhys_Basic()]\nO.dt = {:.3e}\n",
-            material("material", self.contact.contact.sphere().density),
-            self.time_step()
-        ))
-    }
-
-    fn mercury(&self) -> String {
-        let (kind, friction) = match self.contact.friction {
-            None => ("", String::new()),
-            Some(friction) => (
-                "SlidingFriction",
-                format!(
-                    "species.setSlidingStiffness({:.9e});\nspecies.setSlidingFrictionCoefficient({friction});\n",
-                    TANGENTIAL_STIFFNESS_RATIO * self.stiffness()
-                ),
-            ),
-        };
-        // equal springs stay as they are where MercuryDPM mixes the two species
-        let second = self.second_density().map_or_else(String::new, |density| {
-            format!(
-                "LinearViscoelastic{kind}Species second_species = species; // of the second sphere\n\
-                 second_species.setDensity({density:.9e});\n"
-            )
-        });
-        let of_mass = match self.contact.ball {
-            None => "2 m: a wall has no mass",
-            Some(_) => "twice the effective mass of the two spheres",
-        };
-        format!(
-            "LinearViscoelastic{kind}Species species; // then speciesHandler.copyAndAddObject(species)\nspecies.setDensity({:.9e});\n\
-             species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // {of_mass}\n\
-             {friction}{second}setTimeStep({:.3e});\n",
-            self.contact.contact.sphere().density,
-            self.impact.row.contact_time,
-            self.e,
-            self.contact.contact.reduced_mass(),
-            self.time_step()
-        )
     }
 }
 

@@ -5,16 +5,21 @@
 //! |---|---|
 //! | damped linear spring | k = m (π² + ln² e)/t², damping from e: the overlap lasts t, and e is the same at every speed |
 //! | damped spring that never pulls (Schwager and Pöschel 2007) | tan φ (π − 2φ) = −ln e, ω = (π − 2φ)/(t cos φ), k = m ω², c = 2 m ω sin φ: the force lasts t; for e > exp(−2) |
+//! | k x (1 + d x') (Hunt and Crossley 1975) of Drake, the damped Hertz contact of Chrono | the parameters at which the equation, integrated, has e and t at v |
 //!
 //! The mass m is the effective mass of two spheres, and the sphere's own on a wall. The peak force of the damped spring follows from
 //! these parameters. It differs from the peak force of the law.
 
+mod dem_codes;
+mod engines;
 mod exported_contact;
 mod exporter;
+pub mod header;
+mod one_contact;
 mod springs;
 
 use crate::error::{Error, ErrorKind};
-use crate::impact::Solver;
+use crate::impact::{Impact, Solver};
 use crate::numerics::functions::pow;
 use crate::scenario::Scenario;
 use exported_contact::ExportedContact;
@@ -25,6 +30,18 @@ pub use springs::{
 
 /// Rows of a table e(v).
 const POINTS: u32 = 41;
+
+/// The mass of the relative motion, and an impact of the bodies of a scenario at a speed: without the motion around the contact, which
+/// another code has itself.
+///
+/// # Errors
+/// As [`export`].
+pub fn impact_without_surroundings(scenario: &Scenario, speed: f64, samples: usize) -> Result<(f64, Impact), Error> {
+    let contact = ExportedContact::new(scenario)?.contact;
+    let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
+    let impact = contact.impact(speed, &Solver::AUTO, Some(samples)).map_err(failed)?;
+    Ok((contact.reduced_mass(), impact))
+}
 
 /// The lines for another code, from the bodies and the speed of any scenario of impacts. `command` is the command line, which the
 /// lines name as their origin.

@@ -1,6 +1,7 @@
 //! A contact of two bodies.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::Mutex;
 
@@ -14,6 +15,7 @@ use super::force::{Rubbing, energy, force, friction, stiffness};
 use super::impact::PyImpact;
 use crate::error::Error;
 use crate::impact;
+use crate::interfaces::export::header::header_files;
 use crate::report::run::{no_result_error, rate_dependent_contact, warning_texts};
 use crate::report::text::overview::overview;
 use crate::scenario::keys::interval::expected_notes;
@@ -190,6 +192,18 @@ impl PyContact {
         memory: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         stiffness(self.at_own_rate()?.as_ref(), indentation, memory)
+    }
+
+    /// The law as a C header without dependencies: a dict of three files, by name. `plm_NAME.h` is the header (C99, C++, CUDA),
+    /// `plm_NAME_vectors.csv` has 1000 states with their forces, and `plm_NAME_test.c` tests a build of the header with them. Write
+    /// them with
+    ///
+    ///     for file, text in contact.header("steel").items():
+    ///         pathlib.Path(file).write_text(text)
+    #[pyo3(signature = (name="pair"))]
+    fn header(&self, name: &str) -> PyResult<BTreeMap<String, String>> {
+        let files = header_files(&self.scenario, name, "Python: Contact.header").map_err(exception)?;
+        Ok(files.into_iter().map(|file| (file.name, String::from_utf8_lossy(&file.bytes).into_owned())).collect())
     }
 
     /// The friction on the sphere (N) after a time step, by one tangential spring and Coulomb's limit, as

@@ -2,6 +2,7 @@
 
 pub mod calibrate;
 pub mod caption;
+mod contact_trace;
 mod force_indentation;
 mod friction;
 mod history;
@@ -15,6 +16,7 @@ pub mod sweep;
 pub use caption::{caption, path_title, with_captions};
 pub(crate) use caption::{key_axis, law_title, path_words};
 
+pub use contact_trace::contact_trace;
 pub use force_indentation::force_indentation;
 pub use friction::friction;
 

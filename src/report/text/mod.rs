@@ -2,6 +2,7 @@
 
 pub mod calibrate;
 pub mod check;
+pub mod contact_trace;
 pub(crate) mod files;
 pub mod indentation;
 pub mod inputs;

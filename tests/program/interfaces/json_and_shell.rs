@@ -170,6 +170,8 @@ fn the_examples_of_every_help_run() {
         .unwrap();
     fs::write(desk.path("rebounds.csv"), "speed_m_per_s,restitution,restitution_sd\n1,0.62,0.02\n3,0.5,0.02\n")
         .unwrap();
+    fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/lammps_hooke.txt"), desk.path("contact.csv"))
+        .unwrap();
     let mut count = 0;
     for command in commands() {
         let help = text(&desk.run(&[&command, "--help"]).stdout);

@@ -1,9 +1,12 @@
 //! Tests of the command line and of exports.
 
+mod check_trace;
 pub mod cli;
 pub mod drop;
+mod engines;
 pub mod export;
 mod export_two_spheres;
+mod header;
 pub mod hostile_input;
 #[cfg(unix)]
 pub mod json_and_shell;

@@ -136,3 +136,26 @@ fn peak_without_residual_indentation_is_no_dent() {
     let fresh = series(nylon_on_copper, &[3.0]);
     assert_eq!(impacts[2].row, fresh[0].row);
 }
+
+/// Along the unloading branch of a metal that relaxes, stiffness is the slope of the force and the stored energy is its integral. The
+/// memory is that of loading, and the dent is deeper.
+#[test]
+fn stiffness_and_energy_of_relaxed_dent_follow_force() {
+    let rated = ["half_space.rate.johnson_cook.c=0.03", "law.plm.unloading_exponent=pressure-shape"];
+    let contact = contact(crate::common::STEEL, &rated).at_speed(3.0).unwrap();
+    let (deepest, n) = (30e-6, 20_000_u32);
+    let mut memory = Memory::default();
+    contact.force(deepest, &mut memory);
+    let force = |indentation: f64| contact.force(indentation, &mut { memory });
+    let step = deepest / f64::from(n);
+    // from just below the peak, where the force drops, down
+    let indentations = (0..n).map(|i| deepest * (1.0 - 1e-12) - f64::from(i) * step);
+    let forces: Vec<f64> = indentations.clone().map(force).collect();
+    let work: f64 = forces.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]) * step).sum();
+    let stored = contact.energy(deepest, memory.force, &memory).stored;
+    assert!(relative_error(stored, work) < 1e-6, "{stored} {work}");
+    let at = deepest - 1e-6;
+    let slope = (force(at + 1e-9) - force(at - 1e-9)) / 2e-9;
+    assert!(relative_error(contact.stiffness(at, &memory), slope) < 1e-6);
+    assert!(force(deepest * (1.0 - 1e-12)) < 0.999 * memory.force, "the metal does not relax");
+}
