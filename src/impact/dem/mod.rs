@@ -2,3 +2,4 @@
 
 pub(in crate::impact) mod force;
 pub mod friction;
+pub mod step;

@@ -18,6 +18,14 @@
  */
 typedef struct plm_contact plm_contact;
 
+typedef struct plm_history {
+  double memory[3];
+  double exponent;
+  double indentation;
+  double force;
+  double plastic;
+} plm_history;
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -265,6 +273,14 @@ double plm_contact_time_of_mass(const struct plm_contact *contact,
                                 double reduced_mass,
                                 double speed,
                                 double *restitution);
+
+int plm_contact_step(const struct plm_contact *contact,
+                     double indentation,
+                     struct plm_history *history,
+                     double coefficient,
+                     const double *slip,
+                     double *friction,
+                     double *stored);
 
 #ifdef __cplusplus
 }
