@@ -105,14 +105,14 @@ fn rub(most: f64, stiffness: f64, share: f64, slip: &[f64; 3], history: &mut [f6
         *force = *force * share - stiffness * slip;
         sum += *force * *force;
     }
-    let size = sum.sqrt();
-    if size > most {
+    if sum > most * most {
+        let share = most / sum.sqrt();
         for force in &mut after {
-            *force *= most / size;
+            *force *= share;
         }
     }
-    // the size of a force may be infinite where its components are not, and a limit is NaN where the force is
-    let is_finite = sum.is_finite() && !most.is_nan() && after.iter().all(|force| force.is_finite());
+    // a limit is NaN where the force is
+    let is_finite = sum.is_finite() && !most.is_nan();
     if is_finite {
         *history = after;
     }

@@ -138,8 +138,10 @@ impl Contact {
         let units = &self.scales.units;
         let ([force, recovered], [old_force, old_recovered]) =
             (after.force_and_recovered(), before.force_and_recovered());
-        let stiffness = self.friction_modulus * units.contact_radius * units.length * force / (units.force * recovered);
-        let share = if is_smaller && old_force > 0.0 { force * old_recovered / (old_force * recovered) } else { 1.0 };
+        // one division for both
+        let per_approach = force / recovered;
+        let stiffness = self.friction_modulus * (units.contact_radius * units.length / units.force) * per_approach;
+        let share = if is_smaller && old_force > 0.0 { per_approach * (old_recovered / old_force) } else { 1.0 };
         Some([stiffness, share.min(1.0)])
     }
 }
