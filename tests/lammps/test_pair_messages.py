@@ -8,6 +8,7 @@ import pytest
 from runs import INPUTS, ROOT, STEEL, changed, lammps
 from spheres import DENSITY, write_pairs
 
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [
@@ -91,7 +92,11 @@ def test_second_command_replaces_the_first_one(plugin: Path, tmp_path: Path) -> 
     assert "friction or rolling cannot begin or end between runs" in output and "Give pair_style none first" in output
     before = changed(tmp_path, "pair_meet.in", ("pair_coeff ${coeff}", "pair_style ${second}\npair_coeff ${coeff}"))
     spins = []
-    for first, last in (("plm friction 0.3", "plm"), ("plm", "plm friction 0.3"), ("plm friction 0.1", "plm friction 0.3")):
+    for first, last in (
+        ("plm friction 0.3", "plm"),
+        ("plm", "plm friction 0.3"),
+        ("plm friction 0.1", "plm friction 0.3"),
+    ):
         lammps(plugin, before, style=first, second=last, **run)
         spins.append(abs(float((tmp_path / "out").read_text().splitlines()[-1].split()[5])))
     assert spins[0] == 0.0 and spins[1] == spins[2] > 1.0

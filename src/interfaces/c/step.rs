@@ -13,15 +13,15 @@ use crate::impact::{ContactHistory, Memory};
 #[allow(non_camel_case_types)] // the name it has in C
 pub struct plm_history {
     /// As of plm_contact_force.
-    memory: [f64; 3],
+    pub memory: [f64; 3],
     /// Exponent of the unloading branch. 0: not known yet; -1: the branch is no power law.
-    exponent: f64,
+    pub exponent: f64,
     /// Indentation after the last step [m].
-    indentation: f64,
+    pub indentation: f64,
     /// Force after the last step [N].
-    force: f64,
+    pub force: f64,
     /// Plastic work of the dent [J]; it belongs to the memory if the exponent is not 0.
-    plastic: f64,
+    pub plastic: f64,
 }
 
 impl From<ContactHistory> for plm_history {
@@ -41,7 +41,7 @@ impl From<&plm_history> for ContactHistory {
 }
 
 /// One time step of a contact: moves it to an indentation [m], and writes the force [N] into the history. The force is that of
-/// plm_contact_force up to rounding, in a third of the time: the unloading branch is found once for each largest indentation.
+/// plm_contact_force up to rounding, in less time: the unloading branch is found once for each largest indentation.
 ///
 /// With slip and friction (three doubles each) the friction on the sphere [N] changes as by plm_contact_friction with this
 /// coefficient, which is not used without them. With stored, the stored energy [J] is written there, and the plastic work into the
