@@ -33,8 +33,8 @@ constexpr const char *STYLE = "Fix plm/wall";
 
 FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg)
     : Fix(lmp, narg, arg), axis(2), side(1.0), height(0.0), region_name(nullptr), region(nullptr), walls(1),
-      friction(-1.0), slot_size(slot_size_of(false)), load{0.0, 0.0, 0.0}, state(nullptr), is_curved(false), is_deep(false),
-      is_inside(false) {
+      friction(-1.0), slot_size(slot_size_of(false)), load{0.0, 0.0, 0.0}, state(nullptr), is_curved(false),
+      is_deep(false), is_inside(false) {
     const char *usage =
         "expected: fix ID group plm/wall (plane Z | plane AXIS POSITION above|below | region NAME) scenario FILE "
         "[type N FILE] ... [friction MU]";

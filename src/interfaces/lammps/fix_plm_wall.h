@@ -42,7 +42,9 @@ class FixPLMWall : public Fix {
     /* Places in a slot: the number of the wall (0: no contact), the state of the law, and with friction the friction on
        the sphere. All but the first belong to the sphere of the scenario. */
     enum { WALL, STATE, FRICTION = STATE + sizeof(plm_history) / sizeof(double) };
-    static constexpr int slot_size_of(bool has_friction) { return has_friction ? FRICTION + 3 : static_cast<int>(FRICTION); }
+    static constexpr int slot_size_of(bool has_friction) {
+        return has_friction ? FRICTION + 3 : static_cast<int>(FRICTION);
+    }
 
     void update_contact(int i, const double *normal, double distance, double *slot, bool is_new);
     void slip_of(int i, const double *normal, double scale, double *slip) const;

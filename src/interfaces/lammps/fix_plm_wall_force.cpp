@@ -90,8 +90,7 @@ void FixPLMWall::update_contact(int i, const double *normal, double distance, do
     double stored;
     if (plm_contact_step(law.contact, indentation, &contact, friction, rubs ? slip : nullptr,
                          rubs ? of_friction : nullptr, &stored) != 0)
-        error->one(FLERR,
-                   "Fix plm/wall: force or friction on sphere {} is not finite: is the timestep too long?",
+        error->one(FLERR, "Fix plm/wall: force or friction on sphere {} is not finite: is the timestep too long?",
                    atom->tag[i]);
     warn_once(i, overlap, indentation, is_new);
     double on_sphere[3];

@@ -45,7 +45,8 @@ double FixPLMWall::compute_vector(int k) {
             if (slot[WALL] == 0.0) continue;
             plm_history contact = PLM::state_of(slot + STATE);
             double stored = NAN;
-            plm_contact_step(laws[atom->type[i]].contact, contact.indentation, &contact, 0.0, nullptr, nullptr, &stored);
+            plm_contact_step(laws[atom->type[i]].contact, contact.indentation, &contact, 0.0, nullptr, nullptr,
+                             &stored);
             energy += stored / energy_scale(scale_of(i));
         }
     }

@@ -35,8 +35,8 @@ constexpr std::size_t MOST_EXACT_RADII = 64;
 } // namespace
 
 PairPLM::PairPLM(LAMMPS *lmp)
-    : Pair(lmp), account(nullptr), friction(-1.0), rolling_stiffness(0.0), rolling(-1.0), size(PLM::History::size(false, false)),
-      fix_history(nullptr), units{}, is_deep(false), is_inside(false) {
+    : Pair(lmp), account(nullptr), friction(-1.0), rolling_stiffness(0.0), rolling(-1.0),
+      size(PLM::History::size(false, false)), fix_history(nullptr), units{}, is_deep(false), is_inside(false) {
     single_enable = 1;
     no_virial_fdotr_compute = 1;
     restartinfo = 0;
@@ -147,9 +147,10 @@ void PairPLM::init_style() {
         fix_history = dynamic_cast<FixNeighHistory *>(modify->replace_fix(DUMMY, command, 1));
         fix_history->pair = this;
     }
-    // After a run LAMMPS has moved the histories to the spheres. write_restart then makes new ghost atoms, and would move
-    // the histories again, with the neighbour list of the run, whose ghost atoms are others: contacts across a face of
-    // the box would be lost (LAMMPS 22 Jul 2025). Only within a run do the histories have to be moved for a restart file.
+    // After a run LAMMPS has moved the histories to the spheres. write_restart then makes new ghost atoms, and would
+    // move the histories again, with the neighbour list of the run, whose ghost atoms are others: contacts across a
+    // face of the box would be lost (LAMMPS 22 Jul 2025). Only within a run do the histories have to be moved for a
+    // restart file.
     fix_history->restart_global = 0;
     account = nullptr; // fix plm/energy comes again in its init()
 

@@ -97,10 +97,8 @@ void PairPLM::compute(int eflag, int vflag) {
             touches[jj] = 1;
             const PLM::Balls &balls = balls_of(i, j);
             const double r = sqrt(rsq), overlap = sum - r, per_r = 1.0 / r;
-            const Contact contact{i,      j,
-                                  {d[0] * per_r, d[1] * per_r, d[2] * per_r},
-                                  overlap, is_mine ? 1.0 : 0.5,
-                                  &balls, history};
+            const Contact contact{
+                i, j, {d[0] * per_r, d[1] * per_r, d[2] * per_r}, overlap, is_mine ? 1.0 : 0.5, &balls, history};
             const double stored = advance(contact, account || eflag);
             if (is_new || overlap * balls.length > balls.validated) warn_once(contact, is_new);
             const double normal_force = PLM::state_of(history).force * balls.per_force;
@@ -120,8 +118,7 @@ void PairPLM::compute(int eflag, int vflag) {
                     f[j][k] -= total[k];
                     torque[j][k] -= couple[k] + lever_j * moment[k];
                 }
-            if (evflag)
-                ev_tally_xyz(i, j, nlocal, newton, stored, 0.0, total[0], total[1], total[2], d[0], d[1], d[2]);
+            if (evflag) ev_tally_xyz(i, j, nlocal, newton, stored, 0.0, total[0], total[1], total[2], d[0], d[1], d[2]);
         }
     }
 }

@@ -34,7 +34,8 @@ double *PairPLM::history_of(int i, int j) {
     return nullptr;
 }
 
-/* The state of a contact with its plastic work, and its stored energy in units of LAMMPS. The history is not changed. */
+/* The state of a contact with its plastic work, and its stored energy in units of LAMMPS. The history is not changed.
+ */
 double PairPLM::stored_energy_of(const PLM::Balls &balls, plm_history &state) {
     double stored = NAN;
     plm_contact_step(balls.contact, state.indentation, &state, 0.0, nullptr, nullptr, &stored);
