@@ -31,15 +31,16 @@ impl Contact {
             return indentations.map(|indentation| (self.pair().radius * indentation.max(0.0)).sqrt());
         };
         let at_peak = peak.force / peak.elastic_approach;
-        let recovered = indentations.map(|indentation| indentation / scales.units.length - peak.residual());
-        let is_at_peak = |recovered: f64| recovered >= peak.elastic_approach;
-        if recovered.into_iter().all(is_at_peak) {
+        // by rounding, what is recovered at the peak may be less than its elastic approach
+        let is_at_peak = |indentation: f64| indentation >= memory.indentation;
+        if indentations.into_iter().all(is_at_peak) {
             return [scales.units.contact_radius * at_peak; N];
         }
         let unloading = law.unload(peak);
-        recovered.map(|recovered| {
-            scales.units.contact_radius
-                * if is_at_peak(recovered) { at_peak } else { unloading.radius_ratio(recovered) }
+        indentations.map(|indentation| {
+            let recovered = indentation / scales.units.length - peak.residual();
+            let ratio = if is_at_peak(indentation) { at_peak } else { unloading.radius_ratio(recovered) };
+            scales.units.contact_radius * ratio
         })
     }
 

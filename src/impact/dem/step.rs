@@ -46,13 +46,10 @@ impl ContactHistory {
     /// F and d after the last step, at most those of the largest indentation. The radius for friction is proportional to F/d.
     #[inline]
     fn force_and_recovered(&self) -> [f64; 2] {
-        let recovered = self.recovered();
-        if recovered >= self.memory.elastic_approach {
-            [self.memory.force, self.memory.elastic_approach]
-        } else if recovered > 0.0 {
-            [self.force, recovered]
-        } else {
-            [0.0, 1.0]
+        match self.recovered() {
+            _ if self.indentation >= self.memory.indentation => [self.memory.force, self.memory.elastic_approach],
+            recovered if recovered > 0.0 => [self.force, recovered],
+            _ => [0.0, 1.0],
         }
     }
 }
