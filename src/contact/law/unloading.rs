@@ -228,6 +228,11 @@ impl Unloading {
         ContactState { indentation, force: self.force_at_elastic_approach(distance), elastic_approach: distance }
     }
 
+    /// True if the branch is f = f_m (d/ε_m)^n from this peak.
+    pub(crate) fn is_power_from(&self, peak: &ContactState) -> bool {
+        self.curve.is_none() && self.peak == *peak
+    }
+
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
     #[inline]
     pub fn force(&self, x: f64) -> f64 {

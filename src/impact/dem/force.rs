@@ -25,9 +25,11 @@ impl Memory {
     }
 
     /// True if a contact can have this memory and this indentation. By rounding, the recovered part may be larger than δ_m.
+    #[inline]
     pub(in crate::impact) fn is_valid_at(&self, indentation: f64) -> bool {
         let Self { indentation: largest, force, elastic_approach } = *self;
-        [indentation, largest, force, elastic_approach].into_iter().all(f64::is_finite)
+        // the largest indentation is finite too, or the sum is not
+        (indentation + largest + force).is_finite()
             && force >= 0.0
             && 0.0 <= elastic_approach
             && elastic_approach <= largest * (1.0 + 1e-9)

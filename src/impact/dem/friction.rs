@@ -4,6 +4,7 @@
 //! 2013, Powder Technology 233, 30-46, Eq. 18). [`crate::impact::oblique`] has a more accurate contact, which needs the whole impact.
 
 use super::force::Memory;
+use super::step::ContactHistory;
 use crate::impact::problem::contact::Contact;
 
 /// A contact after a time step, and its motion in this step. SI units.
@@ -30,15 +31,16 @@ impl Contact {
             return indentations.map(|indentation| (self.pair().radius * indentation.max(0.0)).sqrt());
         };
         let at_peak = peak.force / peak.elastic_approach;
-        let recovered = indentations.map(|indentation| indentation / scales.units.length - peak.residual());
-        let is_at_peak = |recovered: f64| recovered >= peak.elastic_approach;
-        if recovered.into_iter().all(is_at_peak) {
+        // by rounding, what is recovered at the peak may be less than its elastic approach
+        let is_at_peak = |indentation: f64| indentation >= memory.indentation;
+        if indentations.into_iter().all(is_at_peak) {
             return [scales.units.contact_radius * at_peak; N];
         }
         let unloading = law.unload(peak);
-        recovered.map(|recovered| {
-            scales.units.contact_radius
-                * if is_at_peak(recovered) { at_peak } else { unloading.radius_ratio(recovered) }
+        indentations.map(|indentation| {
+            let recovered = indentation / scales.units.length - peak.residual();
+            let ratio = if is_at_peak(indentation) { at_peak } else { unloading.radius_ratio(recovered) };
+            scales.units.contact_radius * ratio
         })
     }
 
@@ -53,36 +55,72 @@ impl Contact {
     /// Returns false and does not change the history if the coefficient is negative, if a number is NaN or infinite, or if the memory
     /// is not possible for a contact.
     #[must_use]
-    pub fn friction(&self, coefficient: f64, rub: &FrictionStep, memory: &Memory, history: &mut [f64; 3]) -> bool {
-        let numbers = [coefficient, rub.previous_indentation, rub.force].into_iter().chain(rub.slip).chain(*history);
-        if !numbers.into_iter().all(f64::is_finite) || coefficient < 0.0 || !memory.is_valid_at(rub.indentation) {
+    pub fn friction(&self, coefficient: f64, step: &FrictionStep, memory: &Memory, history: &mut [f64; 3]) -> bool {
+        let numbers = [coefficient, step.previous_indentation, step.force].into_iter().chain(step.slip).chain(*history);
+        if !numbers.into_iter().all(f64::is_finite) || coefficient < 0.0 || !memory.is_valid_at(step.indentation) {
             return false;
         }
         // the radius rises with the indentation
-        let (radius, share) = if rub.indentation < rub.previous_indentation {
-            let [old, radius] = self.friction_radii([rub.previous_indentation, rub.indentation], memory);
-            (radius, if radius < old { radius / old } else { 1.0 })
+        let (radius, share) = if step.indentation < step.previous_indentation {
+            let [old, radius] = self.friction_radii([step.previous_indentation, step.indentation], memory);
+            (radius, share_left(radius, old))
         } else {
-            let [radius] = self.friction_radii([rub.indentation], memory);
+            let [radius] = self.friction_radii([step.indentation], memory);
             (radius, 1.0)
         };
-        let stiffness = 8.0 * self.shear_ratio() * self.pair().effective_modulus * radius;
-        let (mut after, mut sum) = (*history, 0.0);
-        for (force, slip) in after.iter_mut().zip(rub.slip) {
-            *force = *force * share - stiffness * slip;
-            sum += *force * *force;
-        }
-        let (size, most) = (sum.sqrt(), coefficient * rub.force.max(0.0));
-        if size > most {
-            for force in &mut after {
-                *force *= most / size;
+        rub(coefficient * step.force.max(0.0), self.friction_modulus * radius, share, &step.slip, history)
+    }
+
+    /// [`Contact::friction`] after [`Contact::step`] changed the history `before` into `after`. `friction` is the friction on the
+    /// sphere, and changes.
+    #[must_use]
+    #[inline]
+    pub fn friction_after_step(
+        &self,
+        coefficient: f64,
+        before: &ContactHistory,
+        after: &ContactHistory,
+        slip: &[f64; 3],
+        friction: &mut [f64; 3],
+    ) -> bool {
+        match self.friction_stiffness(before, after) {
+            Some([stiffness, share]) if (0.0..f64::INFINITY).contains(&coefficient) => {
+                rub(coefficient * after.force.max(0.0), stiffness, share, slip, friction)
+            }
+            Some(_) => false,
+            None => {
+                let (previous_indentation, indentation, force) = (before.indentation, after.indentation, after.force);
+                let step = FrictionStep { previous_indentation, indentation, force, slip: *slip };
+                self.friction(coefficient, &step, &after.memory, friction)
             }
         }
-        // the size of a force may be infinite where its components are not
-        let is_finite = sum.is_finite() && after.iter().all(|force| force.is_finite());
-        if is_finite {
-            *history = after;
-        }
-        is_finite
     }
+}
+
+/// Friction after a slip, at most `most`: `share` of it is left of a contact that has become smaller. Returns false and changes nothing
+/// if a number is NaN or infinite.
+#[inline]
+fn rub(most: f64, stiffness: f64, share: f64, slip: &[f64; 3], history: &mut [f64; 3]) -> bool {
+    let (mut after, mut sum) = (*history, 0.0);
+    for (force, slip) in after.iter_mut().zip(*slip) {
+        *force = *force * share - stiffness * slip;
+        sum += *force * *force;
+    }
+    if sum > most * most {
+        let share = most / sum.sqrt();
+        for force in &mut after {
+            *force *= share;
+        }
+    }
+    // a limit is NaN where the force is
+    let is_finite = sum.is_finite() && !most.is_nan();
+    if is_finite {
+        *history = after;
+    }
+    is_finite
+}
+
+/// The share of the friction that is left of a contact that has become smaller.
+fn share_left(radius: f64, old: f64) -> f64 {
+    if radius < old { radius / old } else { 1.0 }
 }

@@ -3,3 +3,4 @@
 pub(in crate::impact) mod force;
 pub mod friction;
 pub mod law_table;
+pub mod step;

@@ -21,7 +21,7 @@ pub mod normal_motion;
 mod profile;
 mod slip;
 
-use super::problem::contact::Contact;
+use super::problem::contact::{Contact, shear_compliance};
 use super::problem::error::ImpactError;
 use super::problem::scales::FORCE_FACTOR;
 use super::scaled_impact::ScaledImpact;
@@ -94,10 +94,7 @@ pub struct FrictionState {
 impl Contact {
     /// γ = G*/E*: tangential over normal stiffness of the pair, up to a factor of 4.
     pub fn shear_ratio(&self) -> f64 {
-        // 1/G* of one body
-        let share =
-            |body: &Material| 2.0 * (1.0 + body.poissons_ratio) * (2.0 - body.poissons_ratio) / body.youngs_modulus;
-        let compliance = share(&self.sphere().material) + share(&self.half_space().material);
+        let compliance = shear_compliance(self.sphere(), self.half_space());
         1.0 / (compliance * self.pair().effective_modulus)
     }
 

@@ -7,7 +7,7 @@ use super::forces::Forces;
 use super::plate::{ContactPlate, PlateError};
 use super::scales::Scales;
 use super::waves::Waves;
-use crate::contact::body::{HalfSpace, Sphere, Support, finite_positive};
+use crate::contact::body::{HalfSpace, Material, Sphere, Support, finite_positive};
 use crate::contact::law::{ContactLaw, ContactState, Law, LawChoice, Surface};
 use crate::contact::pair::Pair;
 use crate::contact::strength::strain_rate_hardening::StrainRateHardening;
@@ -73,6 +73,8 @@ pub struct Contact {
     pub(in crate::impact) rate_dependence: Option<Arc<RateDependence>>,
     /// The strain rate of the strength of this contact; `None` without a strain-rate dependence, and before a speed is known.
     pub(in crate::impact) strain_rate_result: Option<StrainRateResult>,
+    /// 8 G* \[Pa\]: the stiffness of the contact against a slip, over the contact radius.
+    pub(in crate::impact) friction_modulus: f64,
     forces: Forces,
     /// The radiation of the half-space, if its density is known.
     waves: Option<Waves>,
@@ -91,6 +93,12 @@ const STRONG: f64 = 1e10;
 /// modulus is below a strength that a solid has.
 pub(in crate::impact) fn is_modulus_wrong(modulus: f64, strength: Option<f64>) -> bool {
     modulus < SOFT || strength.is_some_and(|strength| modulus < strength && strength < STRONG)
+}
+
+/// 1/G* \[1/Pa\] = 2 (1 + ν)(2 − ν)/E, summed over both bodies.
+pub(in crate::impact) fn shear_compliance(sphere: &Sphere, half_space: &HalfSpace) -> f64 {
+    let share = |body: &Material| 2.0 * (1.0 + body.poissons_ratio) * (2.0 - body.poissons_ratio) / body.youngs_modulus;
+    share(&sphere.material) + share(&half_space.material)
 }
 
 /// A rebound slower than this fraction of the impact speed is the error of an integration, and counts as rest.
@@ -115,6 +123,7 @@ impl Contact {
         let pair = Pair::try_new(&sphere, &half_space)?;
         let waves = if half_space.support == Support::Fixed { Waves::try_new(&half_space)? } else { None };
         let (scales, law, yield_speed) = Self::build_law(&pair, reduced_mass, law)?;
+        let friction_modulus = 8.0 / shear_compliance(&sphere, &half_space);
         Ok(Self {
             sphere,
             half_space,
@@ -129,6 +138,7 @@ impl Contact {
             elastic_speed: yield_speed,
             rate_dependence: None,
             strain_rate_result: None,
+            friction_modulus,
             forces: Forces::default(),
             waves,
             moment_of_inertia: None,

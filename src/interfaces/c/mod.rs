@@ -16,6 +16,7 @@
 
 pub mod balls;
 mod calls;
+pub mod step;
 #[cfg(test)]
 mod tests;
 

@@ -18,6 +18,33 @@
  */
 typedef struct plm_contact plm_contact;
 
+/**
+ * What a contact keeps from one time step to the next: seven doubles, zero for a fresh contact. Set them to zero when the sphere has
+ * left the surface (indentation <= 0).
+ */
+typedef struct plm_history {
+  /**
+   * As of plm_contact_force.
+   */
+  double memory[3];
+  /**
+   * Exponent of the unloading branch. 0: not known yet; -1: the branch is no power law.
+   */
+  double exponent;
+  /**
+   * Indentation after the last step [m].
+   */
+  double indentation;
+  /**
+   * Force after the last step [N].
+   */
+  double force;
+  /**
+   * Plastic work of the dent [J]; it belongs to the memory if the exponent is not 0.
+   */
+  double plastic;
+} plm_history;
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -265,6 +292,29 @@ double plm_contact_time_of_mass(const struct plm_contact *contact,
                                 double reduced_mass,
                                 double speed,
                                 double *restitution);
+
+/**
+ * One time step of a contact: moves it to an indentation [m], and writes the force [N] into the history. The force is that of
+ * plm_contact_force up to rounding, in less time: the unloading branch is found once for each largest indentation.
+ *
+ * With slip and friction (three doubles each) the friction on the sphere [N] changes as by plm_contact_friction with this
+ * coefficient, which is not used without them. With stored, the stored energy [J] is written there, and the plastic work into the
+ * history; without it, the plastic work is that of the last unloading. Leave out what a step does not need: NULL.
+ *
+ * Returns 0, or 1 if a number is NaN or infinite, if no contact can have this memory, if the coefficient is negative, if contact or
+ * history is NULL, or if only one of slip and friction is. Then nothing is written.
+ *
+ * What the caller promises:
+ * contact is NULL or not yet freed; history is NULL or points to a plm_history, slip and friction are NULL or have three
+ * doubles each, stored is NULL or points to a double. None of them overlap, and no other thread uses what is written at the same time.
+ */
+int plm_contact_step(const struct plm_contact *contact,
+                     double indentation,
+                     struct plm_history *history,
+                     double coefficient,
+                     const double *slip,
+                     double *friction,
+                     double *stored);
 
 #ifdef __cplusplus
 }

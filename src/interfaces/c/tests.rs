@@ -7,6 +7,7 @@ use super::balls::{
     plm_contact_between, plm_contact_of_one_material, plm_contact_reduced_mass, plm_contact_time,
     plm_contact_time_of_mass,
 };
+use super::step::{plm_contact_step, plm_history};
 use super::*;
 
 const STEEL: &CStr = c"sphere = { radius = 5e-3, youngs_modulus = 2.1e11, poissons_ratio = 0.3, density = 7850 }
@@ -188,5 +189,42 @@ half_space = { youngs_modulus = 2.1e18, poissons_ratio = 0.3 }
             assert!(CStr::from_ptr(error.as_ptr()).to_str().is_ok_and(|text| text.contains(words)));
             plm_contact_free(given);
         }
+    }
+}
+
+#[test]
+fn a_step_writes_all_or_nothing() {
+    let (contact, memory, force) = loaded();
+    let fresh = || plm_history { memory: [0.0; 3], exponent: 0.0, indentation: 0.0, force: 0.0, plastic: 0.0 };
+    // SAFETY: the contact is freed below; all arrays have three doubles
+    unsafe {
+        let (mut history, mut friction, mut stored) = (fresh(), [0.0; 3], 0.0);
+        let slip = [1e-8, 0.0, 0.0];
+        let step = |depth: f64, history: *mut plm_history, coefficient, slip: *const f64, friction, stored| {
+            plm_contact_step(contact, depth, history, coefficient, slip, friction, stored)
+        };
+        assert_eq!(step(DEPTH, &raw mut history, 0.2, slip.as_ptr(), friction.as_mut_ptr(), &raw mut stored), SUCCESS);
+        assert!(history.memory == memory && history.force == force && history.indentation == DEPTH);
+        let mut plastic = 0.0;
+        let energy = plm_contact_energy(contact, DEPTH, force, memory.as_ptr(), &raw mut plastic);
+        assert!((stored - energy).abs() < 1e-12 * energy && history.plastic == plastic && friction[0] < 0.0);
+        // only one of slip and friction, a bad number, and no contact or history
+        let kept = (history.memory, history.force, friction, stored);
+        for (depth, coefficient, slip, rubbed) in [
+            (DEPTH, 0.2, null(), friction.as_mut_ptr()),
+            (DEPTH, 0.2, slip.as_ptr(), null_mut()),
+            (f64::NAN, 0.2, slip.as_ptr(), friction.as_mut_ptr()),
+            (DEPTH, -0.2, slip.as_ptr(), friction.as_mut_ptr()),
+        ] {
+            assert_eq!(step(depth, &raw mut history, coefficient, slip, rubbed, &raw mut stored), FAILURE);
+        }
+        assert_eq!(step(DEPTH, null_mut(), 0.2, null(), null_mut(), null_mut()), FAILURE);
+        assert_eq!(plm_contact_step(null(), DEPTH, &raw mut history, 0.2, null(), null_mut(), null_mut()), FAILURE);
+        assert_eq!((history.memory, history.force, friction, stored), kept);
+        // without friction and energies
+        let mut alone = fresh();
+        assert_eq!(step(DEPTH, &raw mut alone, f64::NAN, null(), null_mut(), null_mut()), SUCCESS);
+        assert!(alone.force == force && alone.exponent == 0.0);
+        plm_contact_free(contact);
     }
 }

@@ -105,7 +105,7 @@ def main() -> None:
     # a folder that begins with a dot is no part of the package, for whoever lists its modules meanwhile
     with tempfile.TemporaryDirectory(dir=into, prefix=".") as scratch:
         made = Path(scratch) / plugin.name
-        command = [os.environ.get("CXX", "g++"), "-O2", "-fPIC", "-shared", "-std=c++17"]
+        command = [os.environ.get("CXX", "g++"), "-O3", "-fno-math-errno", "-fPIC", "-shared", "-std=c++17"]
         command += ["-DLAMMPS_BIGBIG" if arguments.bigbig else "-DLAMMPS_SMALLBIG"]
         command += [f"-DPLM_LAMMPS_VERSION={arguments.lammps_version or number}", f'-DPLM_LAMMPS_NAME="{name}"']
         command += [f"-I{HERE}", f"-I{HERE.parent / 'c'}", f"-I{lammps}", f"-I{mpi}"]

@@ -57,8 +57,10 @@ void FixPLMEnergy::init() {
     if (pair->account && pair->account != this) error->all(FLERR, "Fix plm/energy: there is another fix plm/energy");
     pair->account = this;
     if (of_restart != 0.0 && of_restart != pair->fingerprint())
-        error->all(FLERR, "Fix plm/energy: the restart file was written with other scenarios or another friction of "
-                          "pair_style plm, and the dents in it belong to those; use them, or give this fix another ID");
+        error->all(FLERR,
+                   "Fix plm/energy: the restart file was written with other scenarios of pair_style plm, or with or "
+                   "without friction or rolling, and the dents in it belong to those; use them, or give this "
+                   "fix another ID");
 }
 
 void FixPLMEnergy::forget(const PairPLM *gone) {

@@ -37,8 +37,18 @@ class FixPLMWall : public Fix {
     int maxsize_restart() override;
 
   private:
+    /* Columns of a sphere, of which the first two are shown; ENDED is the plastic work of ended contacts. */
+    enum { DENT, PLASTIC, ENDED, FIRST_SLOT };
+    /* Places in a slot: the number of the wall (0: no contact), the state of the law, and with friction the friction on
+       the sphere. All but the first belong to the sphere of the scenario. */
+    enum { WALL, STATE, FRICTION = STATE + sizeof(plm_history) / sizeof(double) };
+    static constexpr int slot_size_of(bool has_friction) {
+        return has_friction ? FRICTION + 3 : static_cast<int>(FRICTION);
+    }
+
     void update_contact(int i, const double *normal, double distance, double *slot, bool is_new);
-    void add_friction(int i, const plm_contact *contact, const double *n, const PLM::Step &step, double *slot);
+    void slip_of(int i, const double *normal, double scale, double *slip) const;
+    void warn_once(int i, double overlap, double indentation, bool is_new);
     void end_contact(int i, double *slot);
     void advise();
     double scale_of(int i) const;

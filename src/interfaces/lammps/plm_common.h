@@ -1,4 +1,4 @@
-/* What fix plm/wall and pair_style plm share: units, scenarios, the tangential spring, the advice on the time step.
+/* What fix plm/wall and pair_style plm share: units, scenarios, the start inside, the advice on the time step.
    SPDX-License-Identifier: GPL-2.0-or-later */
 
 #ifndef LMP_PLM_COMMON_H
@@ -26,20 +26,9 @@ plm_contact *open_contact(LAMMPS *lmp, const char *style, const char *file);
 /* A coefficient of friction from an input script. Friction turns spheres, which need a spin. */
 double friction_of(LAMMPS *lmp, const char *style, const char *word);
 
-/* Removes the part of a vector that is normal to the surface. With keep_size it is turned and not shortened, as a force
-   that turns with the contact. */
-void project(double *vector, const double *normal, bool keep_size);
-
-/* One contact in one step, in SI units of the contact of the scenario. */
-struct Step {
-    double previous_indentation, indentation, force;
-    const double *memory;
-};
-
-/* The tangential spring. slip is the motion of the contact point along the surface in this step; history is the
-   friction, and is turned with the normal. Returns false if the friction is not finite. */
-bool update_friction(const plm_contact *contact, double coefficient, const double *normal, const Step &step,
-                     const double *slip, double *history);
+/* True if a first overlap is no step of a motion from outside: way is that of one step, radius that of the smaller
+   sphere. */
+bool starts_inside(double overlap, double way, double radius);
 
 /* The restitution of the shortest contact and the largest loss by waves, over all ranks. */
 class Advice {

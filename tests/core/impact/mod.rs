@@ -15,6 +15,7 @@ pub mod references;
 pub mod series;
 pub mod stability;
 pub mod stability_cases;
+pub mod steps;
 pub mod strain_rate;
 pub mod two_bodies;
 pub mod verlet;

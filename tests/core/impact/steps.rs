@@ -1,0 +1,110 @@
+//! One call per contact and step, for codes that move the spheres: the same force, friction and energies as by the functions
+//! of which each finds the branch anew.
+
+use crate::common::prelude::*;
+use crate::common::{NO_OVERRIDES, contact};
+
+const STEEL: &str = r#"
+sphere = { radius = "5 mm", youngs_modulus = "210 GPa", poissons_ratio = 0.3, density = 7850 }
+half_space = { youngs_modulus = "210 GPa", poissons_ratio = 0.3, yield_strength = "345 MPa" }
+impact = { speed = "3 m/s" }
+"#;
+
+/// Contacts of every kind of branch: powers, curves of their own, a metal that relaxes, springs, and Hertz alone.
+fn contacts() -> Vec<(&'static str, Contact)> {
+    let by_law = |name, law: &[&str]| (name, contact(STEEL, law));
+    let elastic = STEEL.replace(r#", yield_strength = "345 MPa""#, "");
+    let balls = STEEL.replace(r#""345 MPa""#, r#""345 MPa", radius = "3 mm", mass = "ball", density = 7850"#);
+    let balls = balls.replace("density = 7850 }\nhalf", "density = 7850, yield_strength = \"345 MPa\" }\nhalf");
+    let rated = STEEL.replace(r#""345 MPa""#, r#""345 MPa", rate = { johnson_cook = { c = 0.03 } }"#);
+    vec![
+        by_law("paper", NO_OVERRIDES),
+        by_law("pressure shape", &["law.plm.unloading_exponent=\"pressure-shape\""]),
+        ("balls", contact(&balls, &["law.plm.unloading_exponent=\"pressure-shape\""])),
+        ("elastic", contact(&elastic, NO_OVERRIDES)),
+        ("relaxing", contact(&rated, NO_OVERRIDES).at_speed(3.0).unwrap()),
+        by_law("thornton", &["law=\"thornton\""]),
+        by_law("stronge", &["law=\"stronge\""]),
+        by_law("mesarovic_johnson", &["law=\"mesarovic_johnson\""]),
+    ]
+}
+
+/// Loads, unloads, reloads beyond the largest indentation, turns at the largest one, and leaves.
+fn path() -> impl Iterator<Item = f64> {
+    const TURNS: [f64; 9] = [0.0, 1e-7, 5e-8, 30e-6, 25e-6, 30e-6, 28e-6, 35e-6, -1e-6];
+    TURNS.windows(2).flat_map(|leg| (1..=50).map(|step| leg[0] + (leg[1] - leg[0]) * f64::from(step) / 50.0))
+}
+
+fn assert_near(got: f64, want: f64, size: f64, what: &str) {
+    // ten rounding errors of the distance from the residual indentation
+    assert!((got - want).abs() <= 1e-12 * want.abs() + 1e-13 * size, "{what}: {got} and not {want}");
+}
+
+#[test]
+fn step_has_force_friction_and_energies_of_functions() {
+    for (name, contact) in contacts() {
+        let (mut memory, mut friction) = (Memory::default(), [0.0; 3]);
+        let (mut history, mut of_steps) = (ContactHistory::default(), [0.0; 3]);
+        // with energies in every step, and in the steps of the last unloading alone
+        let mut sparse = ContactHistory::default();
+        let mut largest = 0.0_f64;
+        let n = path().count();
+        for (number, indentation) in path().enumerate() {
+            let what = format!("{name}, step {number}");
+            let (previous_indentation, before) = (history.indentation, history);
+            let force = contact.force(indentation, &mut memory);
+            let slip = [2e-8, if number < n / 2 { 1e-8 } else { -3e-8 }, 0.0];
+            let step = FrictionStep { previous_indentation, indentation, force, slip };
+            assert!(contact.friction(0.2, &step, &memory, &mut friction));
+            let energy = contact.energy(indentation, force, &memory);
+
+            assert!(contact.step(indentation, &mut history), "{what}");
+            assert!(contact.friction_after_step(0.2, &before, &history, &slip, &mut of_steps), "{what}");
+            let stored = contact.stored_energy(&mut history);
+            largest = largest.max(force);
+            assert_eq!(history.memory, memory, "{what}");
+            assert_near(history.force, force, largest, &what);
+            for (got, want) in of_steps.iter().zip(friction) {
+                assert_near(*got, want, largest, &what);
+            }
+            let work = largest * 35e-6;
+            assert_near(stored, energy.stored, work, &what);
+            assert_near(history.plastic_work, energy.plastic, work, &what);
+
+            assert!(contact.step(indentation, &mut sparse));
+            assert_eq!(sparse.force, history.force, "{what}");
+            if number > n - 40 {
+                assert_eq!(contact.stored_energy(&mut sparse), stored, "{what}");
+                assert_eq!(sparse, history, "{what}");
+            }
+            // the setup of a run asks again
+            let again = history;
+            assert!(contact.step(indentation, &mut history) && history == again, "{what}");
+        }
+        assert_eq!(history.force, 0.0, "{name}: has left");
+    }
+}
+
+#[test]
+fn bad_step_changes_nothing() {
+    let contact = contact(STEEL, NO_OVERRIDES);
+    let mut history = ContactHistory::default();
+    assert!(contact.step(2e-5, &mut history) && contact.step(1.9e-5, &mut history));
+    let kept = history;
+    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(!contact.step(wrong, &mut history) && history == kept);
+        for part in 0..3 {
+            let mut lost = kept;
+            let Memory { indentation, force, elastic_approach } = &mut lost.memory;
+            *[indentation, force, elastic_approach][part] = wrong;
+            assert!(!contact.step(1.8e-5, &mut lost), "{part}");
+            let (mut slip, mut friction) = ([1e-8; 3], [0.1; 3]);
+            slip[part] = wrong;
+            assert!(!contact.friction_after_step(0.2, &kept, &kept, &slip, &mut friction) && friction == [0.1; 3]);
+            friction[part] = wrong;
+            assert!(!contact.friction_after_step(0.2, &kept, &kept, &[1e-8; 3], &mut friction));
+        }
+        assert!(!contact.friction_after_step(wrong, &kept, &kept, &[1e-8; 3], &mut [0.1; 3]));
+    }
+    assert!(!contact.friction_after_step(-0.1, &kept, &kept, &[1e-8; 3], &mut [0.1; 3]));
+}
