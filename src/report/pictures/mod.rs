@@ -2,6 +2,7 @@
 
 pub mod calibrate;
 pub mod caption;
+mod contour;
 mod force_indentation;
 mod friction;
 mod history;
@@ -9,6 +10,7 @@ mod indentation;
 mod loops;
 pub mod path;
 mod posterior;
+mod process_window;
 pub mod series;
 pub mod sweep;
 

@@ -1,0 +1,40 @@
+//! The speed of the shot from measured dents: what the hardness of the target changes in it.
+
+use plm_impact::error::Error;
+use plm_impact::materials::{Property, find};
+use plm_impact::report::chart::PictureFormat;
+use plm_impact::report::run::Outcome;
+use plm_impact::units::{Dimension, format_input};
+use serde_json::Value;
+
+use super::PeenArguments;
+
+/// A line with the speeds at both ends of the range of hardness of the target; empty for a hardness or a strength that is given.
+///
+/// # Errors
+/// A fit that fails.
+pub fn band_text(arguments: &PeenArguments, text: &str) -> Result<String, Error> {
+    let is_given = arguments.on_hardness.is_some() || arguments.on_strength.is_some();
+    let hardness = find(&arguments.on).and_then(|material| material.get(Property::Hardness));
+    let Some(hardness) = hardness.filter(|_| !is_given) else { return Ok(String::new()) };
+    let mut speeds = Vec::new();
+    for end in &hardness.range {
+        let value = toml::Value::from(end.text.as_str());
+        let at_end = text.replacen("[half_space]\n", &format!("[half_space]\nhardness = {value}\n"), 1);
+        let outcome = super::compute(&super::read(&at_end)?, PictureFormat::None)?;
+        let speed = fitted_speed(&outcome).ok_or_else(|| Error::failed("the fitted speed is missing"))?;
+        speeds.push(format!("{} at {}", format_input(speed, Dimension::Speed), end.text));
+    }
+    Ok(format!(
+        "\nThe hardness of {} varies: the speed is {}. Give the measured --on-hardness.\n",
+        arguments.on,
+        speeds.join(", and ")
+    ))
+}
+
+/// The fitted speed in the summary of a calibration.
+fn fitted_speed(outcome: &Outcome) -> Option<f64> {
+    let summary = outcome.files.iter().find(|file| file.name == plm_impact::files::SUMMARY_FILE)?;
+    let summary: Value = serde_json::from_slice(&summary.bytes).ok()?;
+    summary["keys"][0]["estimate"].as_f64()
+}

@@ -1,0 +1,89 @@
+//! `plm-impact peen`
+
+mod arguments;
+mod dents;
+mod scenario_text;
+mod shot;
+
+use std::path::Path;
+
+use plm_impact::error::Error;
+use plm_impact::files::{Progress, create};
+use plm_impact::report::chart::PictureFormat;
+use plm_impact::report::run::table::{compute_rows, summarise};
+use plm_impact::report::run::{Outcome, RunOptions, refuse_warnings};
+use plm_impact::report::text::Detail;
+use plm_impact::scenario::Scenario;
+
+pub use self::arguments::PeenArguments;
+use self::scenario_text::{OPTIONS, scenario_text};
+use super::scenario::write_new_scenario;
+
+/// Behind the results of a dent.
+const NOT_CLAIMED: &str = "
+Depths and compression belong to one dent. Overlapping dents give another residual stress, which is not computed; nor is the Almen
+intensity.
+";
+
+/// A picture in a vector format has files of this extension.
+const SVG: &str = "svg";
+
+pub fn peen(arguments: &PeenArguments) -> Result<(), Error> {
+    let text = scenario_text(arguments)?;
+    let scenario = read(&text)?;
+    let outcome = compute(&scenario, picture_format(arguments))?;
+    let warnings: Vec<String> = outcome.warnings.iter().map(|text| OPTIONS.with_options(text)).collect();
+    super::output::print_warnings(&warnings);
+    refuse_warnings(&scenario, outcome.warnings.len(), arguments.strict)?;
+    if arguments.json {
+        super::output::print_summary(&outcome.files)?;
+    } else {
+        let mut printed = OPTIONS.with_options(&outcome.text);
+        match (&arguments.dents, &arguments.window) {
+            (Some(_), _) => printed.push_str(&dents::band_text(arguments, &text)?),
+            (None, Some(_)) => {}
+            (None, None) => printed.push_str(NOT_CLAIMED),
+        }
+        super::terminal::print(&printed)?;
+    }
+    if let Some(path) = &arguments.window {
+        write_window(path, &outcome)?;
+    }
+    arguments.save.as_ref().map_or(Ok(()), |path| write_new_scenario(path, &text, "--save"))
+}
+
+fn read(text: &str) -> Result<Scenario, Error> {
+    Scenario::from_text(&OPTIONS.scenario_name(), text, &[]).map_err(|error| OPTIONS.error_at_options(error))
+}
+
+/// The outcome of a scenario of any kind. A table is computed in memory.
+fn compute(scenario: &Scenario, pictures: PictureFormat) -> Result<Outcome, Error> {
+    let (command, progress) = (super::output::command_line(), Progress::default());
+    let options = RunOptions { command: &command, detail: Detail::Brief, pictures, progress: &progress };
+    let outcome = || {
+        if !scenario.kind()?.is_table() {
+            return super::request::run_whole(scenario, &options);
+        }
+        let plan = scenario.plan()?;
+        let tally = compute_rows(&plan, &progress, |_| (), |()| ())?;
+        summarise(scenario, &plan, &tally, &options, None)
+    };
+    outcome().map_err(|error| OPTIONS.error_at_options(error))
+}
+
+fn picture_format(arguments: &PeenArguments) -> PictureFormat {
+    let Some(path) = &arguments.window else { return PictureFormat::None };
+    if path.extension().is_some_and(|extension| extension == SVG) { PictureFormat::Svg } else { PictureFormat::Png }
+}
+
+/// Writes the process window, never over a file that is there.
+fn write_window(path: &Path, outcome: &Outcome) -> Result<(), Error> {
+    let picture = outcome.files.iter().find(|file| file.name.starts_with("process_window"));
+    let bytes = picture.map_or(&[][..], |file| &file.bytes);
+    let name = path.display();
+    let refuse =
+        |reason| Error::input(format!("{name}: cannot be written: {reason}. Choose another file with --window."));
+    create(path, bytes).map_err(refuse)?;
+    super::terminal::note(format_args!("wrote {name}"));
+    Ok(())
+}
