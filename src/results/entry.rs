@@ -166,6 +166,7 @@ pub(crate) const STRUCK_CROSS: &str =
     "the target is a second ball, and the sphere has a spin about its path or about the normal";
 pub(crate) const FLIES: &str = "the scenario has gravity or a drop height";
 pub(crate) const PEENS: &str = "the scenario has `[peening]`";
+pub(crate) const PEENED_INTERVAL: &str = "the scenario has `[peening]`, and the interval of e is known";
 pub(crate) const PEENS_WITH_FLOW: &str = "`[peening]` gives mass flow and area";
 pub(crate) const PEENS_FOR_TIME: &str = "`[peening]` gives mass flow, area and time";
 pub(crate) const SUBSURFACE: &str =

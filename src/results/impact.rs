@@ -13,6 +13,7 @@ use crate::impact::{
     Contact, CrossMotion, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound,
     TangentialMotion,
 };
+use crate::results::dent_interval::DentInterval;
 use crate::results::restitution_interval::RestitutionInterval;
 
 /// One impact.
@@ -22,6 +23,8 @@ pub struct SingleImpact<'a> {
     pub impact: &'a Impact,
     /// The interval of e, if it is known.
     pub interval: Option<&'a RestitutionInterval>,
+    /// The interval of the dent, if the impact has `[peening]` and the interval is known.
+    pub dent_interval: Option<&'a DentInterval>,
     /// Notes for the user on the strength and on the exponent behind e.
     pub notes: &'a [String],
     /// The height of the fall \[m\]; `None` without a drop height.
@@ -238,6 +241,11 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "elastic_approach_m" in Length: single.impact.elastic_approach;
         /// Residual indentation: dent depth plus flat depth; 0 without permanent deformation.
         "residual_indentation_m" in Length briefly "dent depth" [Strength: |row| Some(row.residual_indentation)];
+        /// Both ends of the uncertainty interval (95 %) of the dent depth: hardness of a named material, and law.
+        "dent_depth_interval_m" if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.depth.to_vec());
+        /// This interval as text.
+        "dent_depth_interval_text" briefly "({})" if PEENED_INTERVAL:
+            single.dent_interval.map(|interval| DentInterval::text(interval.depth));
         /// Dent depth in the half-space. If both bodies yield, the split between dent and flat is an estimate, validated up to a/R
         /// = 0.11.
         "dent_depth_m" in Length as "dent {}" [Flat: |row| Some(row.dent_depth())];
@@ -254,6 +262,11 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Diameter of the rim of the dent: twice the maximum contact radius; `null` without a dent.
         "dent_diameter_m" in Length briefly "dent diameter"
             [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
+        /// Both ends of the uncertainty interval (95 %) of the dent diameter: hardness of a named material, and law.
+        "dent_diameter_interval_m" if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.diameter.to_vec());
+        /// This interval as text.
+        "dent_diameter_interval_text" briefly "({})" if PEENED_INTERVAL:
+            single.dent_interval.map(|interval| DentInterval::text(interval.diameter));
         /// Area of the dent, from the contact radius at the maximum indentation; 0 without a dent.
         "dent_area_m2" in Area [Peening: |row| row.peened.map(|peened| peened.dent_area)];
         /// Mass of a shot.

@@ -12,6 +12,7 @@
 //!   CSV as an empty field) where its value is not finite or `None`;
 //! * its value; for a result of an impact that is also a column of tables: in brackets what it needs, and how a row gives it.
 
+pub mod dent_interval;
 pub(crate) mod entry;
 pub mod impact;
 pub mod restitution_interval;

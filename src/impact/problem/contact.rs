@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::error::ImpactError;
 use super::forces::Forces;
+use super::peening::Peening;
 use super::plate::{ContactPlate, PlateError};
 use super::scales::Scales;
 use super::waves::Waves;
@@ -11,7 +12,6 @@ use crate::contact::body::{HalfSpace, Sphere, Support, finite_positive};
 use crate::contact::law::{ContactLaw, ContactState, Law, LawChoice, Surface};
 use crate::contact::pair::Pair;
 use crate::contact::strength::strain_rate_hardening::StrainRateHardening;
-use crate::impact::result::peening::Peening;
 use crate::materials::MaterialEntry;
 use crate::numerics::functions::pow;
 

@@ -2,7 +2,6 @@
 
 pub(in crate::impact) mod energy_balance;
 pub mod impact;
-pub mod peening;
 pub mod row;
 pub mod subsurface;
 pub(in crate::impact) mod warning;

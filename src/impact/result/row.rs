@@ -9,10 +9,10 @@ use crate::impact::oblique::Rebound;
 use crate::impact::problem::contact::{Contact, StrainRateResult};
 use crate::impact::problem::error::ImpactError;
 use crate::impact::problem::forces::ScaledForces;
+use crate::impact::problem::peening::PeenedSurface;
 use crate::impact::problem::plate::ScaledPlate;
 use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy};
 use crate::impact::problem::waves;
-use crate::impact::result::peening::PeenedSurface;
 use crate::impact::result::subsurface::Subsurface;
 use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::closed_form;
@@ -107,10 +107,10 @@ impl PlateResult {
     }
 }
 
-/// The state below a dent at this peak; `None` if the sphere yields too, and for a law without bodies.
+/// The state below a dent at this peak; `None` if the sphere yields as much, and for a law without bodies.
 fn subsurface(contact: &Contact, law: &Law, peak: &ContactState, contact_radius: f64) -> Option<Subsurface> {
     let pair = contact.pair();
-    let point = pair.yield_point.filter(|point| point.yield_partition.flat_share == 0.0)?;
+    let point = pair.yield_point.filter(|point| point.yield_partition.is_half_space_alone())?;
     let strength_ratio = law.hardening().map_or(1.0, |hardening| hardening.representative_strength(peak.indentation));
     (!law.is_spring()).then_some(Subsurface {
         contact_radius,

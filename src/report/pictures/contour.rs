@@ -28,7 +28,7 @@ pub fn contour([columns, rows]: [&[f64]; 2], value: impl Fn(usize, usize) -> f64
 
 /// At most `most` round numbers between two positive ends.
 pub fn round_levels(low: f64, high: f64, most: usize) -> Vec<f64> {
-    const STEPS: [&[f64]; 3] = [&[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0], &[1.0, 2.0, 5.0], &[1.0]];
+    const STEPS: [&[f64]; 3] = [&[1.0, 1.5, 2.0, 3.0, 5.0, 7.0], &[1.0, 2.0, 5.0], &[1.0]];
     if !(low > 0.0 && low < high && high.is_finite()) {
         return Vec::new();
     }
@@ -57,7 +57,7 @@ mod tests {
 
     #[test]
     fn levels_are_round_and_few() {
-        assert_eq!(round_levels(0.11, 0.6, 7), [0.15, 0.2, 0.3, 0.4, 0.5]);
+        assert_eq!(round_levels(0.11, 0.6, 7), [0.15, 0.2, 0.3, 0.5]);
         assert_eq!(round_levels(1e7, 4e8, 6), [1e7, 2e7, 5e7, 1e8, 2e8]);
         assert!(round_levels(f64::NAN, 1.0, 6).is_empty());
     }

@@ -6,7 +6,7 @@ use crate::report::chart;
 use super::process_window::{process_window, window_axes};
 use super::{caption, key_axis, law_title, path_title, path_words, with_captions};
 use crate::contact::law::YieldingPair;
-use crate::impact::ImpactRow;
+use crate::impact::{ImpactRow, Peening};
 use crate::reference::quasi_static;
 use crate::report::chart::{Chart, Series, SeriesKind, heatmap, histogram};
 use crate::report::chart::{Style, min_max};
@@ -65,11 +65,17 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
         let map = has_map.then(|| (format!("{}_map", result.name), picture.heat_map()));
         [(result.name.to_owned(), lines)].into_iter().chain(map)
     });
-    drawn.chain(window_axes(plan).map(|places| window_picture(evaluator, axes, places))).collect()
+    let window = plan.input.peening().zip(window_axes(plan));
+    drawn.chain(window.map(|(request, places)| window_picture(evaluator, axes, &request, places))).collect()
 }
 
 /// The process window of shot peening, whose axes of speed and size have these places.
-fn window_picture(evaluator: &Evaluator, axes: &[SweepAxis], [speed, size]: [usize; 2]) -> (String, Chart) {
+fn window_picture(
+    evaluator: &Evaluator,
+    axes: &[SweepAxis],
+    request: &Peening,
+    [speed, size]: [usize; 2],
+) -> (String, Chart) {
     let places = [speed, size].map(|at| spaced_indices(&axes[at], MAX_CONTOUR_VALUES));
     let position = |at: usize, places: &[u64]| -> Vec<f64> {
         places.iter().map(|place| axis_position(&axes[at], *place)).collect()
@@ -80,7 +86,7 @@ fn window_picture(evaluator: &Evaluator, axes: &[SweepAxis], [speed, size]: [usi
         (of_case[speed], of_case[size]) = (places[0][column], places[1][row]);
         compute_row(evaluator, axes, &of_case).and_then(Result::ok)?.peened
     };
-    let drawn = process_window([&axes[speed], &axes[size]], values.each_ref().map(Vec::as_slice), surface);
+    let drawn = process_window([&axes[speed], &axes[size]], values.each_ref().map(Vec::as_slice), request, surface);
     ("process_window".to_owned(), drawn.with_notes(fixed_axis_notes(axes)))
 }
 

@@ -150,7 +150,7 @@ const RULES: &[Rule] = &[
     ),
     columns(
         &[Requirement::Subsurface],
-        |facts, _| facts.all(|input| input.yield_partition().is_some_and(|partition| partition.flat_share > 0.0)),
+        |facts, _| facts.all(|input| input.yield_partition().is_some_and(|partition| !partition.is_half_space_alone())),
         "the stress below a dent is known only if the sphere does not yield",
     ),
     columns(&[Requirement::Rate], |facts, _| !facts.first().has_rate(), "no strain-rate model is given"),

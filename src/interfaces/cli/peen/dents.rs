@@ -8,6 +8,7 @@ use plm_impact::units::{Dimension, format_input};
 use serde_json::Value;
 
 use super::PeenArguments;
+use super::compute::{compute, read};
 
 /// A line with the speeds at both ends of the range of hardness of the target; empty for a hardness or a strength that is given.
 ///
@@ -21,7 +22,7 @@ pub fn band_text(arguments: &PeenArguments, text: &str) -> Result<String, Error>
     for end in &hardness.range {
         let value = toml::Value::from(end.text.as_str());
         let at_end = text.replacen("[half_space]\n", &format!("[half_space]\nhardness = {value}\n"), 1);
-        let outcome = super::compute(&super::read(&at_end)?, PictureFormat::None)?;
+        let outcome = compute(&read(&at_end)?, PictureFormat::None)?;
         let speed = fitted_speed(&outcome).ok_or_else(|| Error::failed("the fitted speed is missing"))?;
         speeds.push(format!("{} at {}", format_input(speed, Dimension::Speed), end.text));
     }

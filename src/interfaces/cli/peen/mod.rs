@@ -1,6 +1,7 @@
 //! `plm-impact peen`
 
 mod arguments;
+mod compute;
 mod dents;
 mod scenario_text;
 mod shot;
@@ -8,14 +9,12 @@ mod shot;
 use std::path::Path;
 
 use plm_impact::error::Error;
-use plm_impact::files::{Progress, create};
+use plm_impact::files::create;
 use plm_impact::report::chart::PictureFormat;
-use plm_impact::report::run::table::{compute_rows, summarise};
-use plm_impact::report::run::{Outcome, RunOptions, refuse_warnings};
-use plm_impact::report::text::Detail;
-use plm_impact::scenario::Scenario;
+use plm_impact::report::run::{Outcome, refuse_warnings};
 
 pub use self::arguments::PeenArguments;
+use self::compute::{compute, read};
 use self::scenario_text::{OPTIONS, scenario_text};
 use super::scenario::write_new_scenario;
 
@@ -50,25 +49,6 @@ pub fn peen(arguments: &PeenArguments) -> Result<(), Error> {
         write_window(path, &outcome)?;
     }
     arguments.save.as_ref().map_or(Ok(()), |path| write_new_scenario(path, &text, "--save"))
-}
-
-fn read(text: &str) -> Result<Scenario, Error> {
-    Scenario::from_text(&OPTIONS.scenario_name(), text, &[]).map_err(|error| OPTIONS.error_at_options(error))
-}
-
-/// The outcome of a scenario of any kind. A table is computed in memory.
-fn compute(scenario: &Scenario, pictures: PictureFormat) -> Result<Outcome, Error> {
-    let (command, progress) = (super::output::command_line(), Progress::default());
-    let options = RunOptions { command: &command, detail: Detail::Brief, pictures, progress: &progress };
-    let outcome = || {
-        if !scenario.kind()?.is_table() {
-            return super::request::run_whole(scenario, &options);
-        }
-        let plan = scenario.plan()?;
-        let tally = compute_rows(&plan, &progress, |_| (), |()| ())?;
-        summarise(scenario, &plan, &tally, &options, None)
-    };
-    outcome().map_err(|error| OPTIONS.error_at_options(error))
 }
 
 fn picture_format(arguments: &PeenArguments) -> PictureFormat {
