@@ -1,12 +1,13 @@
 //! From the scenario of the options to its outcome, in memory.
 
 use plm_impact::error::Error;
-use plm_impact::files::Progress;
+use plm_impact::files::{Progress, SUMMARY_FILE};
 use plm_impact::report::chart::PictureFormat;
 use plm_impact::report::run::table::{compute_rows, summarise};
 use plm_impact::report::run::{Outcome, RunOptions};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
+use serde_json::Value;
 
 use super::super::output::command_line;
 use super::super::request::run_whole;
@@ -29,4 +30,10 @@ pub fn compute(scenario: &Scenario, pictures: PictureFormat) -> Result<Outcome, 
         summarise(scenario, &plan, &tally, &options, None)
     };
     outcome().map_err(|error| OPTIONS.error_at_options(error))
+}
+
+/// The summary of an outcome.
+pub fn summary(outcome: &Outcome) -> Option<Value> {
+    let file = outcome.files.iter().find(|file| file.name == SUMMARY_FILE)?;
+    serde_json::from_slice(&file.bytes).ok()
 }

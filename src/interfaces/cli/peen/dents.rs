@@ -3,12 +3,10 @@
 use plm_impact::error::Error;
 use plm_impact::materials::{Property, find};
 use plm_impact::report::chart::PictureFormat;
-use plm_impact::report::run::Outcome;
-use plm_impact::units::{Dimension, format_input};
-use serde_json::Value;
+use plm_impact::units::{Dimension, format_result};
 
 use super::PeenArguments;
-use super::compute::{compute, read};
+use super::compute::{compute, read, summary};
 
 /// A line with the speeds at both ends of the range of hardness of the target; empty for a hardness or a strength that is given.
 ///
@@ -23,19 +21,13 @@ pub fn band_text(arguments: &PeenArguments, text: &str) -> Result<String, Error>
         let value = toml::Value::from(end.text.as_str());
         let at_end = text.replacen("[half_space]\n", &format!("[half_space]\nhardness = {value}\n"), 1);
         let outcome = compute(&read(&at_end)?, PictureFormat::None)?;
-        let speed = fitted_speed(&outcome).ok_or_else(|| Error::failed("the fitted speed is missing"))?;
-        speeds.push(format!("{} at {}", format_input(speed, Dimension::Speed), end.text));
+        let speed = summary(&outcome).and_then(|summary| summary["keys"][0]["estimate"].as_f64());
+        let speed = speed.ok_or_else(|| Error::failed("the fitted speed is missing"))?;
+        speeds.push(format!("{} at {}", format_result(speed, Dimension::Speed), end.text));
     }
     Ok(format!(
         "\nThe hardness of {} varies: the speed is {}. Give the measured --on-hardness.\n",
         arguments.on,
         speeds.join(", and ")
     ))
-}
-
-/// The fitted speed in the summary of a calibration.
-fn fitted_speed(outcome: &Outcome) -> Option<f64> {
-    let summary = outcome.files.iter().find(|file| file.name == plm_impact::files::SUMMARY_FILE)?;
-    let summary: Value = serde_json::from_slice(&summary.bytes).ok()?;
-    summary["keys"][0]["estimate"].as_f64()
 }
