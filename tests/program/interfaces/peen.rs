@@ -220,7 +220,7 @@ fn depths_below_dent_are_columns_on_request() {
     let table = desk.read("out/table.csv");
     let mut lines = table.lines().filter(|line| !line.starts_with('#'));
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
-    let (strength, modulus) = (345e6, 210e9 / (1.0 - 0.09) / 2.0);
+    let (strength, modulus): (f64, f64) = (345e6, 210e9 / (1.0 - 0.09) / 2.0);
     let y = strength / modulus / 0.003;
     for line in lines {
         let cells: Vec<&str> = line.split(',').collect();
