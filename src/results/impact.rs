@@ -242,7 +242,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Residual indentation: dent depth plus flat depth; 0 without permanent deformation.
         "residual_indentation_m" in Length briefly "dent depth" [Strength: |row| Some(row.residual_indentation)];
         /// Both ends of the uncertainty interval (95 %) of the dent depth: hardness of a named material, and law.
-        "dent_depth_interval_m" if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.depth.to_vec());
+        "dent_depth_interval_m" in Length if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.depth.to_vec());
         /// This interval as text.
         "dent_depth_interval_text" briefly "({})" if PEENED_INTERVAL:
             single.dent_interval.map(|interval| DentInterval::text(interval.depth));
@@ -263,7 +263,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "dent_diameter_m" in Length briefly "dent diameter"
             [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
         /// Both ends of the uncertainty interval (95 %) of the dent diameter: hardness of a named material, and law.
-        "dent_diameter_interval_m" if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.diameter.to_vec());
+        "dent_diameter_interval_m" in Length if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.diameter.to_vec());
         /// This interval as text.
         "dent_diameter_interval_text" briefly "({})" if PEENED_INTERVAL:
             single.dent_interval.map(|interval| DentInterval::text(interval.diameter));
