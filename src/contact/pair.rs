@@ -153,6 +153,11 @@ impl YieldPartition {
     pub fn is_shared(&self) -> bool {
         self.single_body_weight < 1.0
     }
+
+    /// True if the half-space alone yields, apart from a small flat on the sphere.
+    pub fn is_half_space_alone(&self) -> bool {
+        !self.is_shared() && !self.is_sphere
+    }
 }
 
 /// The numbers that follow from sphere and half-space together.

@@ -33,11 +33,13 @@ pub use oblique::{Approach, CrossMotion, FrictionState, ObliqueResult, Rebound, 
 pub use problem::contact::{Contact, MaterialNames, StrainRateResult};
 pub use problem::error::ImpactError;
 pub use problem::forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces};
+pub use problem::peening::{PeenedSurface, Peening};
 pub use problem::plate::{Plate, PlateError, PlateTheory};
 pub use problem::scales::Scales;
 pub use result::energy_balance::TraceRow;
 pub use result::impact::{Accuracy, Energy, ForcesResult, Impact};
 pub use result::row::{ImpactRow, PlateResult};
+pub use result::subsurface::Subsurface;
 pub use result::warning::{Warning, WarningKind};
 pub use series::spot::Spot;
 pub use solve::outcome::{FixedSteps, ImpactEnd, ScaledResult, Solution};

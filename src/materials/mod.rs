@@ -3,6 +3,7 @@
 
 mod entry;
 mod file;
+pub mod shots;
 
 use std::sync::LazyLock;
 

@@ -41,6 +41,8 @@ pub const DEEP_UNLOADINGS: ReferenceTable = table!("fe_deep.csv");
 pub const POISSONS_RATIOS: ReferenceTable = table!("fe_poisson.csv");
 /// Whole impacts of shots that leave deep dents.
 pub const DEEP_IMPACTS: ReferenceTable = table!("fe_deep_impacts.csv");
+/// Plastic zones and residual stresses below dents.
+pub const RESIDUAL_STRESSES: ReferenceTable = table!("fe_residual.csv");
 /// Load cycles in which the sphere yields, alone or with the half-space.
 pub const YIELDING: ReferenceTable = table!("fe_yielding.csv");
 /// Impact devices after Leeb with what they show on two test blocks, and the ranges of hardness and strength of steels.

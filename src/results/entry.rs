@@ -68,6 +68,14 @@ pub enum Requirement {
     StruckCross,
     /// Gravity or a drop height: without them the flight is not determined.
     Flight,
+    /// The table of shot peening.
+    Peening,
+    /// The mass flow and the area of shot peening.
+    MassFlow,
+    /// The time of shot peening.
+    PeeningTime,
+    /// A column that exists only if the scenario names it, or has the table of shot peening.
+    Subsurface,
 }
 
 /// A column of a table.
@@ -99,6 +107,14 @@ impl Requirement {
                 row.rebound.is_some_and(|after| after.target.is_some_and(|ball| ball.cross.is_some()))
             }),
             Self::Flight => (FLIES, |_, row| row.rebound_height.is_some()),
+            Self::Peening => (PEENS, |_, row| row.peened.is_some()),
+            Self::MassFlow => {
+                (PEENS_WITH_FLOW, |_, row| row.peened.is_some_and(|peened| peened.request.mass_flux.is_some()))
+            }
+            Self::PeeningTime => {
+                (PEENS_FOR_TIME, |_, row| row.peened.is_some_and(|peened| peened.request.time.is_some()))
+            }
+            Self::Subsurface => (SUBSURFACE, |_, row| row.subsurface.is_some()),
         }
     }
 
@@ -149,6 +165,12 @@ pub(crate) const STRUCK: &str = "the target is a second ball, and the impact is 
 pub(crate) const STRUCK_CROSS: &str =
     "the target is a second ball, and the sphere has a spin about its path or about the normal";
 pub(crate) const FLIES: &str = "the scenario has gravity or a drop height";
+pub(crate) const PEENS: &str = "the scenario has `[peening]`";
+pub(crate) const PEENED_INTERVAL: &str = "the scenario has `[peening]`, and the interval of e is known";
+pub(crate) const PEENS_WITH_FLOW: &str = "`[peening]` gives mass flow and area";
+pub(crate) const PEENS_FOR_TIME: &str = "`[peening]` gives mass flow, area and time";
+pub(crate) const SUBSURFACE: &str =
+    "only the half-space yields, and the scenario has `[peening]`, or names the column in a table";
 pub(crate) const AIR: &str = "the scenario has air";
 pub(crate) const FORCES: &str = "the scenario has gravity, damping or a plate";
 pub(crate) const PLATE: &str = "the target is a plate";
@@ -158,6 +180,7 @@ pub(crate) const VISCOUS: &str = "the scenario has viscous damping";
 pub const TABLES: &str = "in tables only";
 pub(crate) const OUTSIDE: &str = "the table has such rows";
 pub(crate) const RANDOM: &str = "the cases are random";
+pub(crate) const RANDOM_PEENING: &str = "the cases are random, and the scenario has `[peening]`";
 pub(crate) const NAMED_COLUMNS: &str = "the cases are random, and output names other columns";
 pub(crate) const VERLET: &str = "the method is verlet";
 pub(crate) const BOUNCES: &str = "the sphere bounces under gravity";

@@ -8,10 +8,12 @@ use serde_json::{Value, json};
 use super::{Requirement, ResultSpec, result_specs};
 use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::FreeFlight;
+use crate::impact::result::subsurface::{COMPRESSION_SCATTER, LAYER_DEPTH_SCATTER, ZONE_DEPTH_SCATTER};
 use crate::impact::{
     Contact, CrossMotion, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound,
     TangentialMotion,
 };
+use crate::results::dent_interval::DentInterval;
 use crate::results::restitution_interval::RestitutionInterval;
 
 /// One impact.
@@ -21,6 +23,8 @@ pub struct SingleImpact<'a> {
     pub impact: &'a Impact,
     /// The interval of e, if it is known.
     pub interval: Option<&'a RestitutionInterval>,
+    /// The interval of the dent, if the impact has `[peening]` and the interval is known.
+    pub dent_interval: Option<&'a DentInterval>,
     /// Notes for the user on the strength and on the exponent behind e.
     pub notes: &'a [String],
     /// The height of the fall \[m\]; `None` without a drop height.
@@ -237,6 +241,11 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "elastic_approach_m" in Length: single.impact.elastic_approach;
         /// Residual indentation: dent depth plus flat depth; 0 without permanent deformation.
         "residual_indentation_m" in Length briefly "dent depth" [Strength: |row| Some(row.residual_indentation)];
+        /// Both ends of the uncertainty interval (95 %) of the dent depth: hardness of a named material, and law.
+        "dent_depth_interval_m" in Length if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.depth.to_vec());
+        /// This interval as text.
+        "dent_depth_interval_text" briefly "({})" if PEENED_INTERVAL:
+            single.dent_interval.map(|interval| DentInterval::text(interval.depth));
         /// Dent depth in the half-space. If both bodies yield, the split between dent and flat is an estimate, validated up to a/R
         /// = 0.11.
         "dent_depth_m" in Length as "dent {}" [Flat: |row| Some(row.dent_depth())];
@@ -253,6 +262,44 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Diameter of the rim of the dent: twice the maximum contact radius; `null` without a dent.
         "dent_diameter_m" in Length briefly "dent diameter"
             [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
+        /// Both ends of the uncertainty interval (95 %) of the dent diameter: hardness of a named material, and law.
+        "dent_diameter_interval_m" in Length if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.diameter.to_vec());
+        /// This interval as text.
+        "dent_diameter_interval_text" briefly "({})" if PEENED_INTERVAL:
+            single.dent_interval.map(|interval| DentInterval::text(interval.diameter));
+        /// Area of the dent, from the contact radius at the maximum indentation; 0 without a dent.
+        "dent_area_m2" in Area [Peening: |row| row.peened.map(|peened| peened.dent_area)];
+        /// Mass of a shot.
+        "shot_mass_kg" in Mass [Peening: |row| row.peened.map(|peened| peened.shot_mass)];
+        /// Impacts per area, at random places, for the coverage that the scenario asks for; `null` without a dent.
+        "impacts_for_coverage_per_m2" in ArealNumber briefly "impacts for the coverage"
+            [Peening: |row| row.peened.and_then(|peened| peened.impacts_per_area())];
+        /// Mass of shot per area for this coverage.
+        "mass_for_coverage_kg_per_m2" in ArealMass briefly "mass for the coverage"
+            [Peening: |row| row.peened.and_then(|peened| peened.mass_per_area())];
+        /// Time for this coverage.
+        "time_for_coverage_s" in Time briefly "time for the coverage"
+            [MassFlow: |row| row.peened.and_then(|peened| peened.time())];
+        /// Covered fraction of the surface after the time that the scenario gives.
+        "coverage_after_time" in Percent briefly "coverage after the time"
+            [PeeningTime: |row| row.peened.and_then(|peened| peened.coverage_after_time())];
+        /// Depth of the plastic zone below the centre of a single dent, from formulas fitted to finite elements.
+        "plastic_zone_depth_m" in Length briefly "plastic zone depth" [Subsurface: |row| row.subsurface.map(|below| below.zone_depth())];
+        /// Standard deviation of this depth from the finite elements.
+        "plastic_zone_depth_sd_m" in Length briefly "± {}"
+            [Subsurface: |row| row.subsurface.map(|below| ZONE_DEPTH_SCATTER * below.zone_depth())];
+        /// Depth of the layer with radial compression below the centre of a single dent.
+        "compressive_layer_depth_m" in Length briefly "compressive layer depth"
+            [Subsurface: |row| row.subsurface.map(|below| below.layer_depth())];
+        /// Standard deviation of this depth from the finite elements.
+        "compressive_layer_depth_sd_m" in Length briefly "± {}"
+            [Subsurface: |row| row.subsurface.map(|below| LAYER_DEPTH_SCATTER * below.layer_depth())];
+        /// Largest radial residual compression below the centre of a single dent, as a positive stress.
+        "residual_compression_Pa" in Pressure briefly "largest residual compression"
+            [Subsurface: |row| row.subsurface.map(|below| below.largest_compression())];
+        /// Standard deviation of this stress from the finite elements.
+        "residual_compression_sd_Pa" in Pressure briefly "± {}"
+            [Subsurface: |row| row.subsurface.map(|below| COMPRESSION_SCATTER * below.representative_strength())];
         /// Impact speed above which a body yields.
         "yield_speed_m_per_s" in Speed as "yield speed" if REACHES: single.at_first_yield(single.contact.yield_speed());
         /// Indentation at first yield.

@@ -12,6 +12,7 @@
 //!   CSV as an empty field) where its value is not finite or `None`;
 //! * its value; for a result of an impact that is also a column of tables: in brackets what it needs, and how a row gives it.
 
+pub mod dent_interval;
 pub(crate) mod entry;
 pub mod impact;
 pub mod restitution_interval;
@@ -26,6 +27,19 @@ use crate::units::Dimension;
 /// The result that most people ask for; a table always has it.
 pub const RESTITUTION: &str = "restitution";
 
+/// The columns that exist only if a scenario names them, or has `[peening]`.
+pub const SUBSURFACE_COLUMNS: [&str; 6] = [
+    "plastic_zone_depth_m",
+    "plastic_zone_depth_sd_m",
+    "compressive_layer_depth_m",
+    "compressive_layer_depth_sd_m",
+    "residual_compression_Pa",
+    "residual_compression_sd_Pa",
+];
+
+/// The columns whose means give the coverage by random shots: area of a dent, and mass of a shot.
+pub const PEENING_MEANS: [&str; 2] = ["dent_area_m2", "shot_mass_kg"];
+
 /// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
 pub fn result_columns() -> Vec<ResultColumn> {
     let mut columns: Vec<ResultColumn> = impact::impact_results().iter().filter_map(|result| result.column).collect();
@@ -38,5 +52,18 @@ pub fn dimension_of(name: &str) -> Dimension {
     match impact::impact_results().iter().find(|result| result.name == name).map(|result| result.format) {
         Some(NumberFormat::Unit(dimension)) => dimension,
         _ => Dimension::Ratio,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn list_of_subsurface_columns_is_complete() {
+        let columns = result_columns();
+        let needing: Vec<&str> =
+            columns.iter().filter(|column| column.needs == Requirement::Subsurface).map(|column| column.name).collect();
+        assert_eq!(needing, SUBSURFACE_COLUMNS);
     }
 }

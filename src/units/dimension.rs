@@ -27,7 +27,11 @@ dimensions! {
     Speed: "a speed", "m/s", "_m_per_s", "\"3 m/s\"";
     Acceleration: "an acceleration", "m/s^2", "_m_per_s2", "\"9.81 m/s^2\"";
     InverseSpeed: "an inverse speed", "s/m", "_s_per_m", "\"0.1 s/m\"";
+    Area: "an area", "m^2", "_m2", "\"50 cm^2\"";
+    ArealNumber: "a number per area", "1/m^2", "_per_m2", "\"100 1/mm^2\"";
     Mass: "a mass", "kg", "_kg", "\"4 g\"";
+    MassFlow: "a mass flow", "kg/s", "_kg_per_s", "\"5 kg/min\"";
+    ArealMass: "a mass per area", "kg/m^2", "_kg_per_m2", "\"2 kg/m^2\"";
     Density: "a density", "kg/m^3", "_kg_per_m3", "\"7850 kg/m^3\"";
     Pressure: "a pressure", "Pa", "_Pa", "\"210 GPa\"";
     Force: "a force", "N", "_N", "\"1 kN\"";
@@ -52,9 +56,12 @@ impl Dimension {
         self.spec()[1]
     }
 
-    /// True if SI prefixes stand before this unit: the SI unit of a dimension, which has no prefix yet and is no inverse.
+    /// True if SI prefixes stand before this unit: the SI unit of a dimension, which has no prefix yet and is no power of a unit.
     pub fn is_prefixed(unit: &str) -> bool {
-        let is_plain = |dimension: &&Self| !dimension.si_unit().is_empty() && !dimension.si_unit().starts_with("kg");
+        let is_plain = |dimension: &&Self| {
+            let unit = dimension.si_unit();
+            !unit.is_empty() && !unit.starts_with("kg") && !matches!(dimension, Self::Area | Self::ArealNumber)
+        };
         Self::ALL.iter().filter(is_plain).any(|dimension| dimension.si_unit() == unit)
     }
 

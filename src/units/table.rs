@@ -30,8 +30,8 @@ const fn input_unit(name: &'static str, dimension: Dimension, scale: UnitScale) 
 }
 
 use Dimension::{
-    Acceleration, Angle, AngularSpeed, Density, Energy, Force, InverseSpeed, Length, Mass, MomentOfInertia, Pressure,
-    Ratio, Speed, Stiffness, StrainRate, Time, Viscosity,
+    Acceleration, Angle, AngularSpeed, Area, ArealMass, ArealNumber, Density, Energy, Force, InverseSpeed, Length,
+    Mass, MassFlow, MomentOfInertia, Pressure, Ratio, Speed, Stiffness, StrainRate, Time, Viscosity,
 };
 
 pub(super) const UNITS: &[Unit] = &[
@@ -46,10 +46,20 @@ pub(super) const UNITS: &[Unit] = &[
     input_unit("ft", Length, UnitScale::Decimal("0.3048")),
     display_unit("m", Length, 0),
     display_unit("km", Length, 3),
+    display_unit("µm^2", Area, -12),
+    display_unit("mm^2", Area, -6),
+    input_unit("cm^2", Area, UnitScale::PowerOfTen(-4)),
+    input_unit("in^2", Area, UnitScale::Decimal("6.4516e-4")), // exact
+    input_unit("dm^2", Area, UnitScale::PowerOfTen(-2)),
+    display_unit("m^2", Area, 0),
+    display_unit("1/m^2", ArealNumber, 0),
+    input_unit("1/cm^2", ArealNumber, UnitScale::PowerOfTen(4)),
+    display_unit("1/mm^2", ArealNumber, 6),
     display_unit("ns", Time, -9),
     display_unit("µs", Time, -6),
     display_unit("ms", Time, -3),
     display_unit("s", Time, 0),
+    input_unit("min", Time, UnitScale::Factor(60.0)),
     display_unit("nm/s", Speed, -9),
     display_unit("µm/s", Speed, -6),
     display_unit("mm/s", Speed, -3),
@@ -76,6 +86,14 @@ pub(super) const UNITS: &[Unit] = &[
     input_unit("lb", Mass, UnitScale::Decimal("0.45359237")),     // international pound, exact
     display_unit("kg", Mass, 0),
     display_unit("t", Mass, 3),
+    input_unit("kg/h", MassFlow, UnitScale::Divisor(3600.0)),
+    display_unit("g/s", MassFlow, -3),
+    input_unit("lb/min", MassFlow, UnitScale::Factor(0.453_592_37 / 60.0)),
+    input_unit("kg/min", MassFlow, UnitScale::Divisor(60.0)),
+    display_unit("kg/s", MassFlow, 0),
+    display_unit("g/m^2", ArealMass, -3),
+    input_unit("lb/ft^2", ArealMass, UnitScale::Factor(0.453_592_37 / (0.3048 * 0.3048))),
+    display_unit("kg/m^2", ArealMass, 0),
     display_unit("µPa s", Viscosity, -6),
     display_unit("mPa s", Viscosity, -3),
     input_unit("cP", Viscosity, UnitScale::PowerOfTen(-3)),

@@ -22,6 +22,7 @@ mod poisson;
 mod quasi_static;
 mod rate;
 pub mod report;
+mod residual;
 mod yielding;
 
 use crate::contact::law::PlmCoefficients;
@@ -40,6 +41,7 @@ const SOURCES: &[ComparisonFn] = &[
     dynamic::impacts,
     hardening::unloadings,
     hardening::deep_unloadings,
+    residual::dents,
     poisson::unloadings,
     yielding::load_cycles,
     rate::impacts,

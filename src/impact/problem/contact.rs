@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::error::ImpactError;
 use super::forces::Forces;
+use super::peening::Peening;
 use super::plate::{ContactPlate, PlateError};
 use super::scales::Scales;
 use super::waves::Waves;
@@ -82,6 +83,10 @@ pub struct Contact {
     moment_of_inertia: Option<f64>,
     /// The materials of the bodies, if they are named.
     pub(in crate::impact) material_names: MaterialNames,
+    /// The request of shot peening.
+    pub(in crate::impact) peening: Option<Peening>,
+    /// True if the plastic zone and the residual stress below the dent are asked for.
+    pub(in crate::impact) has_subsurface: bool,
 }
 
 /// Below this modulus \[Pa\] the modulus is wrong, and not the strength: soft rubber is stiffer.
@@ -143,6 +148,8 @@ impl Contact {
             waves,
             moment_of_inertia: None,
             material_names: MaterialNames::default(),
+            peening: None,
+            has_subsurface: false,
         })
     }
 
@@ -190,6 +197,20 @@ impl Contact {
     #[inline]
     pub fn with_materials(mut self, named: MaterialNames) -> Self {
         self.material_names = named;
+        self
+    }
+
+    /// Returns this contact with results of shot peening.
+    #[inline]
+    pub fn with_peening(mut self, peening: Option<Peening>) -> Self {
+        self.peening = peening;
+        self
+    }
+
+    /// Returns this contact with the plastic zone and the residual stress below the dent among the results, if they are asked for.
+    #[inline]
+    pub fn with_subsurface(mut self, is_asked_for: bool) -> Self {
+        self.has_subsurface = is_asked_for;
         self
     }
 

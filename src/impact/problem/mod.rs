@@ -3,6 +3,7 @@
 pub mod contact;
 pub(in crate::impact) mod error;
 pub mod forces;
+pub mod peening;
 pub mod plate;
 pub mod scales;
 pub(in crate::impact) mod strain_rate;

@@ -3,4 +3,5 @@
 pub(in crate::impact) mod energy_balance;
 pub mod impact;
 pub mod row;
+pub mod subsurface;
 pub(in crate::impact) mod warning;

@@ -1,14 +1,19 @@
 //! The results of an impact in a row of a table, a part of an [`Impact`](crate::impact::Impact).
 
+use crate::contact::law::{ContactState, Law};
+use std::f64::consts::PI;
+
 use crate::contact::body::{OutOfFloatRange, finite_positive};
 use crate::contact::pair::imprint_name;
 use crate::impact::oblique::Rebound;
 use crate::impact::problem::contact::{Contact, StrainRateResult};
 use crate::impact::problem::error::ImpactError;
 use crate::impact::problem::forces::ScaledForces;
+use crate::impact::problem::peening::PeenedSurface;
 use crate::impact::problem::plate::ScaledPlate;
 use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy};
 use crate::impact::problem::waves;
+use crate::impact::result::subsurface::Subsurface;
 use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::closed_form;
 use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
@@ -56,6 +61,10 @@ pub struct ImpactRow {
     pub rebound_height: Option<f64>,
     /// The rebound of an oblique impact with friction. All other results then describe the motion normal to the half-space.
     pub rebound: Option<Rebound>,
+    /// Dents and shots of shot peening, if asked for.
+    pub peened: Option<PeenedSurface>,
+    /// The state below the dent, if asked for; `None` without a dent, and if the sphere yields too.
+    pub subsurface: Option<Subsurface>,
 }
 
 /// The additional results of an impact on a plate; [`crate::impact::problem::plate`] has the equations. SI units.
@@ -96,6 +105,20 @@ impl PlateResult {
             wave_reach: under.wave_reach(contact_time),
         })
     }
+}
+
+/// The state below a dent at this peak; `None` if the sphere yields as much, and for a law without bodies.
+fn subsurface(contact: &Contact, law: &Law, peak: &ContactState, contact_radius: f64) -> Option<Subsurface> {
+    let pair = contact.pair();
+    let point = pair.yield_point.filter(|point| point.yield_partition.is_half_space_alone())?;
+    let strength_ratio = law.hardening().map_or(1.0, |hardening| hardening.representative_strength(peak.indentation));
+    (!law.is_spring()).then_some(Subsurface {
+        contact_radius,
+        radius_ratio: contact_radius / pair.smaller_radius,
+        yield_strength: point.strength,
+        strength_ratio,
+        effective_modulus: pair.effective_modulus,
+    })
 }
 
 impl ImpactRow {
@@ -169,6 +192,15 @@ impl ImpactRow {
             }),
             strain_rate_result: contact.strain_rate_result.filter(|_| law.is_some()),
             rebound: None,
+            peened: contact.peening.map(|request| {
+                let is_dented = contact.pair().yield_point.is_some_and(|point| point.yield_partition.flat_share < 1.0);
+                let dent_area =
+                    if is_dented && residual > 0.0 { PI * peak_contact_radius * peak_contact_radius } else { 0.0 };
+                PeenedSurface { request, dent_area, shot_mass: contact.mass() }
+            }),
+            subsurface: law
+                .filter(|_| contact.has_subsurface && residual > 0.0)
+                .and_then(|law| subsurface(contact, law, &peak, peak_contact_radius)),
         })
     }
 

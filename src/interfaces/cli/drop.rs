@@ -12,6 +12,7 @@ use plm_impact::report::run::{RunOptions, refuse_warnings};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 
+use super::options::{OptionKeys, push_key};
 use super::scenario::write_new_scenario;
 
 /// Simulate one impact of a ball on a library material (no scenario file needed)
@@ -77,83 +78,66 @@ pub struct DropArguments {
 
 pub fn drop(arguments: &DropArguments) -> Result<(), Error> {
     let text = arguments.scenario();
-    let scenario = Scenario::from_text("the options of drop", &text, &[]).map_err(error_at_options)?;
+    let scenario =
+        Scenario::from_text(&OPTIONS.scenario_name(), &text, &[]).map_err(|error| OPTIONS.error_at_options(error))?;
     let options = RunOptions {
         command: &super::output::command_line(),
         detail: Detail::Brief,
         pictures: PictureFormat::None,
         progress: &Progress::default(),
     };
-    let outcome = super::request::run_whole(&scenario, &options).map_err(error_at_options)?;
-    let warnings: Vec<String> = outcome.warnings.iter().map(|text| with_options(text)).collect();
+    let outcome = super::request::run_whole(&scenario, &options).map_err(|error| OPTIONS.error_at_options(error))?;
+    let warnings: Vec<String> = outcome.warnings.iter().map(|text| OPTIONS.with_options(text)).collect();
     super::output::print_warnings(&warnings);
     refuse_warnings(&scenario, outcome.warnings.len(), arguments.strict)?;
     if arguments.json {
         super::output::print_summary(&outcome.files)?;
     } else {
-        super::terminal::print(&with_options(&outcome.text))?;
+        super::terminal::print(&OPTIONS.with_options(&outcome.text))?;
     }
     arguments.save.as_ref().map_or(Ok(()), |path| write_new_scenario(path, &text, "--save"))
 }
 
 /// The keys of the scenario that options give.
-const OPTIONS: [(&str, &str); 14] = [
-    ("sphere.material", "--ball"),
-    ("sphere.diameter", "--diameter"),
-    ("sphere.yield_strength", "--ball-strength"),
-    ("sphere.hardness", "--ball-hardness"),
-    ("sphere.strength_kind", "--ball-strength-kind"),
-    ("half_space.material", "--on"),
-    ("half_space.thickness", "--thickness"),
-    ("half_space.yield_strength", "--strength"),
-    ("half_space.strength_kind", "--strength-kind"),
-    ("half_space.hardness", "--hardness"),
-    ("impact.drop_height", "--from"),
-    ("impact.speed", "--speed"),
-    ("impact.angle", "--angle"),
-    ("friction.coefficient", "--friction"),
-];
-
-/// A text with the options in place of the keys that they give.
-fn with_options(text: &str) -> String {
-    let mut text = text.to_owned();
-    for (key, option) in OPTIONS {
-        text = text.replace(key, option);
-    }
-    text
-}
-
-/// The error with options in place of lines and keys of the scenario, which nobody wrote.
-fn error_at_options(error: Error) -> Error {
-    error.with_texts(|details, _| {
-        let (key, message) = (details.key.as_deref()?, details.message.as_deref()?);
-        let option = OPTIONS.into_iter().find(|(path, _)| *path == key).map(|(_, option)| option);
-        Some(format!("{}: {message}", option.unwrap_or("the options of drop")))
-    })
-}
+const OPTIONS: OptionKeys = OptionKeys {
+    command: "drop",
+    options: &[
+        ("sphere.material", "--ball"),
+        ("sphere.diameter", "--diameter"),
+        ("sphere.yield_strength", "--ball-strength"),
+        ("sphere.hardness", "--ball-hardness"),
+        ("sphere.strength_kind", "--ball-strength-kind"),
+        ("half_space.material", "--on"),
+        ("half_space.thickness", "--thickness"),
+        ("half_space.yield_strength", "--strength"),
+        ("half_space.strength_kind", "--strength-kind"),
+        ("half_space.hardness", "--hardness"),
+        ("impact.drop_height", "--from"),
+        ("impact.speed", "--speed"),
+        ("impact.angle", "--angle"),
+        ("friction.coefficient", "--friction"),
+    ],
+};
 
 impl DropArguments {
     /// The scenario, as a person would write it.
     fn scenario(&self) -> String {
         let mut text = "# Written by `plm-impact drop`.\n\n[sphere]\n".to_owned();
-        let key = |text: &mut String, key: &str, value: Option<&str>| {
-            let _ = value.map(|value| writeln!(text, "{key} = {}", toml::Value::from(value)));
-        };
-        key(&mut text, "material", Some(&self.ball));
-        key(&mut text, "diameter", Some(&self.diameter));
-        key(&mut text, "yield_strength", self.ball_strength.as_deref());
-        key(&mut text, "hardness", self.ball_hardness.as_deref());
-        key(&mut text, "strength_kind", self.ball_strength_kind.as_deref());
+        push_key(&mut text, "material", Some(&self.ball));
+        push_key(&mut text, "diameter", Some(&self.diameter));
+        push_key(&mut text, "yield_strength", self.ball_strength.as_deref());
+        push_key(&mut text, "hardness", self.ball_hardness.as_deref());
+        push_key(&mut text, "strength_kind", self.ball_strength_kind.as_deref());
         text.push_str("\n[half_space]\n");
-        key(&mut text, "material", Some(&self.on));
-        key(&mut text, "thickness", self.thickness.as_deref());
-        key(&mut text, "yield_strength", self.strength.as_deref());
-        key(&mut text, "hardness", self.hardness.as_deref());
-        key(&mut text, "strength_kind", self.strength_kind.as_deref());
+        push_key(&mut text, "material", Some(&self.on));
+        push_key(&mut text, "thickness", self.thickness.as_deref());
+        push_key(&mut text, "yield_strength", self.strength.as_deref());
+        push_key(&mut text, "hardness", self.hardness.as_deref());
+        push_key(&mut text, "strength_kind", self.strength_kind.as_deref());
         text.push_str("\n[impact]\n");
-        key(&mut text, "drop_height", self.from.as_deref());
-        key(&mut text, "speed", self.speed.as_deref());
-        key(&mut text, "angle", self.angle.as_deref());
+        push_key(&mut text, "drop_height", self.from.as_deref());
+        push_key(&mut text, "speed", self.speed.as_deref());
+        push_key(&mut text, "angle", self.angle.as_deref());
         if let Some(friction) = self.friction {
             let _ = write!(text, "\n[friction]\ncoefficient = {}\n", toml::Value::from(friction));
         }
@@ -167,7 +151,7 @@ impl DropArguments {
         text.push_str(
             "\n[law.plm]\n# recommended: rms error of e 1 % (with 1.5, the exponent of the paper, e is 3 % too low)\n",
         );
-        key(&mut text, "unloading_exponent", Some("pressure-shape"));
+        push_key(&mut text, "unloading_exponent", Some("pressure-shape"));
         text
     }
 }

@@ -9,8 +9,10 @@ mod export;
 mod init;
 mod keys;
 mod materials;
+mod options;
 mod output;
 mod pace;
+mod peen;
 mod request;
 mod results;
 mod run;
@@ -56,6 +58,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Drop(drop::DropArguments),
+    Peen(peen::PeenArguments),
     Init(init::InitArguments),
     Run(run::RunArguments),
     Check(run::CheckArguments),
@@ -94,6 +97,7 @@ pub fn run() -> Result<(), Error> {
     }
     match command.ok_or_else(|| Error::input("no command is given; `plm-impact --help` lists them"))? {
         Command::Drop(arguments) => drop::drop(&arguments),
+        Command::Peen(arguments) => peen::peen(&arguments),
         Command::Init(arguments) => init::init(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => run::check(&arguments),

@@ -13,9 +13,10 @@ use crate::error::Error;
 use crate::impact;
 use crate::report::pictures;
 use crate::report::text::{Detail, impact_text, trace_csv};
+use crate::results::dent_interval::DentInterval;
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::{TABLES, to_fields};
-use crate::scenario::keys::{RestitutionInterval, restitution_interval, strength_notes};
+use crate::scenario::keys::{RestitutionInterval, dent_interval, restitution_interval, strength_notes};
 use crate::strings::did_you_mean;
 
 /// One impact. Its results are attributes with the names of `summary.json`: `impact.restitution`,
@@ -34,6 +35,8 @@ pub struct PyImpact {
     samples: Option<usize>,
     /// The interval of e. It is computed when the first result is asked for, and then serves all results.
     interval: OnceLock<Option<RestitutionInterval>>,
+    /// The interval of the dent, likewise.
+    dent_interval: OnceLock<Option<DentInterval>>,
     /// Notes for the user on the strength and on the exponent behind e.
     pub(super) notes: Vec<String>,
     /// The impact with a trace, if `result` has none; and the trace as an array. Each is computed when it is asked for first.
@@ -62,6 +65,7 @@ impl PyImpact {
             own,
             samples,
             interval: OnceLock::new(),
+            dent_interval: OnceLock::new(),
             notes,
             traced: OnceLock::new(),
             trace: OnceLock::new(),
@@ -74,7 +78,11 @@ impl PyImpact {
         let interval = || restitution_interval(&contact.input, own, self.speed, &self.result.row);
         let interval = self.interval.get_or_init(interval).as_ref();
         let drop_height = contact.input.drop_height();
-        SingleImpact { contact: own, impact: &self.result, interval, notes: &self.notes, drop_height }
+        let row = &self.result.row;
+        let has_dent_interval = row.peened.is_some() && interval.is_some();
+        let of_dent = || dent_interval(&contact.input, own, self.speed, row).filter(|_| has_dent_interval);
+        let dent_interval = self.dent_interval.get_or_init(of_dent).as_ref();
+        SingleImpact { contact: own, impact: &self.result, interval, dent_interval, notes: &self.notes, drop_height }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.

@@ -3,6 +3,7 @@
 pub mod calibrate;
 pub mod caption;
 mod contact_trace;
+mod contour;
 mod force_indentation;
 mod friction;
 mod history;
@@ -10,6 +11,7 @@ mod indentation;
 mod loops;
 pub mod path;
 mod posterior;
+mod process_window;
 pub mod series;
 pub mod sweep;
 

@@ -3,9 +3,10 @@
 
 use crate::report::chart;
 
+use super::process_window::{process_window, window_axes};
 use super::{caption, key_axis, law_title, path_title, path_words, with_captions};
 use crate::contact::law::YieldingPair;
-use crate::impact::ImpactRow;
+use crate::impact::{ImpactRow, Peening};
 use crate::reference::quasi_static;
 use crate::report::chart::{Chart, Series, SeriesKind, heatmap, histogram};
 use crate::report::chart::{Style, min_max};
@@ -32,6 +33,8 @@ const WIDE: f64 = 30.0;
 const MAX_WORD_CURVES: u64 = 13;
 /// Largest number of cells on a side of a map.
 const MAX_CELLS: u64 = 200;
+/// Largest number of values of an axis between which contour lines are interpolated.
+const MAX_CONTOUR_VALUES: u64 = 60;
 /// A map is drawn if both axes have at least this number of values.
 const MIN_MAP_AXIS: u64 = 8;
 const HISTOGRAM_BARS: usize = 60;
@@ -62,7 +65,29 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
         let map = has_map.then(|| (format!("{}_map", result.name), picture.heat_map()));
         [(result.name.to_owned(), lines)].into_iter().chain(map)
     });
-    drawn.collect()
+    let window = plan.input.peening().zip(window_axes(plan));
+    drawn.chain(window.map(|(request, places)| window_picture(evaluator, axes, &request, places))).collect()
+}
+
+/// The process window of shot peening, whose axes of speed and size have these places.
+fn window_picture(
+    evaluator: &Evaluator,
+    axes: &[SweepAxis],
+    request: &Peening,
+    [speed, size]: [usize; 2],
+) -> (String, Chart) {
+    let places = [speed, size].map(|at| spaced_indices(&axes[at], MAX_CONTOUR_VALUES));
+    let position = |at: usize, places: &[u64]| -> Vec<f64> {
+        places.iter().map(|place| axis_position(&axes[at], *place)).collect()
+    };
+    let values = [position(speed, &places[0]), position(size, &places[1])];
+    let surface = |column: usize, row: usize| {
+        let mut of_case = [0; 2];
+        (of_case[speed], of_case[size]) = (places[0][column], places[1][row]);
+        compute_row(evaluator, axes, &of_case).and_then(Result::ok)?.peened
+    };
+    let drawn = process_window([&axes[speed], &axes[size]], values.each_ref().map(Vec::as_slice), request, surface);
+    ("process_window".to_owned(), drawn.with_notes(fixed_axis_notes(axes)))
 }
 
 /// At most `most` of the places of an axis, at even steps, including both ends.

@@ -13,7 +13,7 @@ use crate::report::text::{impact_text, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::to_fields;
 use crate::scenario::input::Input;
-use crate::scenario::keys::{restitution_interval, strength_notes};
+use crate::scenario::keys::{dent_interval, restitution_interval, strength_notes};
 use crate::scenario::{Kind, Scenario, no_result_error};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
@@ -59,8 +59,16 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let (inputs, caption) = (Inputs::new(&input), caption(&input, &[]));
     let interval = restitution_interval(&input, &contact, impact.speed, &impact.row);
     let drop_height = input.drop_height();
-    let single =
-        SingleImpact { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };
+    let peened = impact.row.peened.filter(|_| interval.is_some());
+    let dent_interval = peened.and_then(|_| dent_interval(&input, &contact, impact.speed, &impact.row));
+    let single = SingleImpact {
+        contact: &contact,
+        impact: &impact,
+        interval: interval.as_ref(),
+        dent_interval: dent_interval.as_ref(),
+        notes: &notes,
+        drop_height,
+    };
     let mut files = vec![output_file("trace.csv", trace_csv(&impact)?)];
     files.extend(options.pictures.to_files(|| {
         let mut drawn = vec![

@@ -53,6 +53,7 @@ pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
         ("gravity", gravity.is_some(), table),
         ("damping", damping.is_some(), table),
         ("air", scenario.document.contains("air"), table),
+        ("peening", scenario.document.contains("peening"), "A coverage belongs to an impact and not to a contact."),
         ("half_space.thickness", plate.is_some(), "The simulation moves the plate itself."),
         (
             "half_space.mass",

@@ -4,15 +4,20 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
-use crate::results::{RESTITUTION, ResultColumn, ResultSpec, dimension_of, result_specs, to_field_list, to_fields};
+use super::terminal::{Imprint, result_lines};
+use crate::impact::PeenedSurface;
+use crate::results::{
+    PEENING_MEANS, RESTITUTION, ResultColumn, ResultSpec, dimension_of, result_specs, to_field_list, to_fields,
+};
 use crate::scenario::plan::{Cases, Plan, Variable};
 use crate::strings::align_columns;
 use crate::table::Tally;
 use crate::table::statistics::ColumnStatistics;
 use crate::units::{format_result, quantities};
 
-/// Counts of the rows of a table; if the cases are random, the statistics of their restitutions and of their other columns.
-type Totals<'a> = (&'a Tally, Option<ColumnStatistics>, Option<Value>);
+/// Counts of the rows of a table; if the cases are random, the statistics of their restitutions and of their other columns, and the
+/// mean dent and shot of shot peening.
+type Totals<'a> = (&'a Tally, Option<ColumnStatistics>, Option<Value>, Option<PeenedSurface>);
 
 /// The results of the rows, in the order of `summary.json`.
 pub fn total_results<'a>() -> Vec<ResultSpec<Totals<'a>>> {
@@ -37,6 +42,18 @@ pub fn total_results<'a>() -> Vec<ResultSpec<Totals<'a>>> {
         "restitution.quantile_95" if RANDOM: totals.1.map(|e| e.quantile_95);
         /// 0 if the quantiles are exact (up to 10^6 samples), otherwise the width of their bins.
         "restitution.quantile_resolution" if RANDOM: totals.1.map(|e| e.quantile_resolution);
+        /// Impacts per area for the coverage, from the mean area of the dents.
+        "peening.impacts_for_coverage_per_m2" in ArealNumber as "impacts for the coverage" if RANDOM_PEENING:
+            totals.3.map(|mean| mean.impacts_per_area());
+        /// Mass of shot per area for this coverage, from the mean mass of the shots.
+        "peening.mass_for_coverage_kg_per_m2" in ArealMass as "mass for the coverage" if RANDOM_PEENING:
+            totals.3.map(|mean| mean.mass_per_area());
+        /// Time for this coverage.
+        "peening.time_for_coverage_s" in Time as "time for the coverage" if RANDOM_PEENING:
+            totals.3.filter(|mean| mean.request.mass_flux.is_some()).map(|mean| mean.time());
+        /// Covered fraction of the surface after the time that the scenario gives.
+        "peening.coverage_after_time" in Percent as "coverage after the time" if RANDOM_PEENING:
+            totals.3.filter(|mean| mean.request.time.is_some()).map(|mean| mean.coverage_after_time());
         /// Distribution of every other column that output.columns or output.picture names, see below.
         "columns" if NAMED_COLUMNS: totals.2.clone();
     }
@@ -83,15 +100,25 @@ pub fn random_key_results() -> Vec<ResultSpec<Variable>> {
 /// The results by their names. The warnings are about the scene; of those about rows the worst of each kind.
 pub fn summary_fields(plan: &Plan, tally: &Tally, warnings: &[String]) -> Map<String, Value> {
     let all = tally.distributions();
+    let peened = mean_surface(plan, tally);
     let (e, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|(column, _)| column.name == RESTITUTION);
     let columns = (!others.is_empty()).then(|| to_field_list(&distributions(), &others));
-    let mut results = to_fields(&total_results(), &(tally, e.first().map(|(_, e)| *e), columns));
+    let mut results = to_fields(&total_results(), &(tally, e.first().map(|(_, e)| *e), columns, peened));
     if let Cases::MonteCarlo { seed, variables, .. } = &plan.cases {
         results.insert("random".to_owned(), to_field_list(&random_key_results(), variables));
         results.insert("seed".to_owned(), (*seed).into());
     }
     results.insert("warnings".to_owned(), warnings.into());
     results
+}
+
+/// The mean dent and the mean shot of random shots.
+fn mean_surface(plan: &Plan, tally: &Tally) -> Option<PeenedSurface> {
+    let request = plan.input.peening()?;
+    let all = tally.distributions();
+    let mean = |name: &str| all.iter().find(|(column, _)| column.name == name).map(|(_, of_column)| of_column.mean);
+    let [dent_area, shot_mass] = PEENING_MEANS.map(mean);
+    Some(PeenedSurface { request, dent_area: dent_area?, shot_mass: shot_mass? })
 }
 
 /// The lines about a finished table, for the terminal.
@@ -107,6 +134,12 @@ pub fn summary_lines(plan: &Plan, tally: &Tally) -> String {
         let head = ["random cases", "mean", "standard deviation", "5 %", "50 %", "95 %"].map(str::to_owned);
         let rows: Vec<_> = std::iter::once(head).chain(scattered.iter().map(quantiles)).collect();
         let _ = write!(text, "\n{}", align_columns(&rows, |_| true));
+    }
+    if let Some(surface) = mean_surface(plan, tally) {
+        let mut results = total_results();
+        results.retain(|result| result.name.starts_with("peening."));
+        let lines = result_lines(&results, &(tally, None, None, Some(surface)), Imprint::OfSprings);
+        let _ = write!(text, "\n{}", align_columns(&lines, |_| true));
     }
     for (place, (column, all)) in constant.iter().enumerate() {
         let value = format_result(all.mean, dimension_of(column.name));

@@ -10,10 +10,11 @@ use crate::contact::pair::{Pair, YieldPartition};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
-    Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Plate, PlateTheory,
+    Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Peening, Plate, PlateTheory,
     STANDARD_GRAVITY, Solver,
 };
 use crate::materials::{MaterialEntry, all_materials};
+use crate::results::SUBSURFACE_COLUMNS;
 use crate::scenario::keys::{Part, body_key, key};
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
@@ -141,8 +142,24 @@ impl Input {
             Body::ALL.map(|body| self.number(body_key!(body, "hardness")).is_some() && body.select(flow).is_none());
         let is_of_impact = Body::ALL.map(|body| self.strength_kind(body) == Some(StrengthKind::Flow));
         let is_by_hardness = [0, 1].map(|place| is_by_hardness[place] && !is_of_impact[place]);
+        let contact = contact.with_peening(self.peening()).with_subsurface(self.asks_for_subsurface());
         let named = MaterialNames { sphere, half_space, is_by_hardness, is_of_impact };
         Ok(contact.with_materials(named).with_rate_dependence(self.rates(), law))
+    }
+
+    /// The request of shot peening.
+    pub fn peening(&self) -> Option<Peening> {
+        let coverage = self.number(key!("peening.coverage"))?;
+        let flow = self.number(key!("peening.mass_flow")).zip(self.number(key!("peening.area")));
+        let mass_flux = flow.map(|(flow, area)| flow / area);
+        Some(Peening { coverage, mass_flux, time: self.number(key!("peening.time")) })
+    }
+
+    /// True if the plastic zone and the residual stress below the dent are asked for.
+    pub fn asks_for_subsurface(&self) -> bool {
+        let lists = [self.word_list(key!("output.columns")), self.word_list(key!("output.picture"))];
+        let mut named = lists.into_iter().flatten().flatten();
+        self.number(key!("peening.coverage")).is_some() || named.any(|name| SUBSURFACE_COLUMNS.contains(&name.as_str()))
     }
 
     /// The impact speed \[m/s\]: the speed after the fall if a height is given.

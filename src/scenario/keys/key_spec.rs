@@ -28,6 +28,8 @@ pub enum Part {
     Law,
     /// Gravity and damping.
     Forces,
+    /// Shot peening: coverage, mass flow and area.
+    Peening,
     /// The arrival of the sphere: all keys that change from impact to impact on one contact.
     Approach,
     Solver,

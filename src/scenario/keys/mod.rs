@@ -10,7 +10,9 @@ pub mod words;
 
 pub(crate) use key_id::{COUNT, KeyId, NUMBER, OTHER, WORD, body_key, find_key, key};
 
-pub use interval::{HardnessRanges, RestitutionInterval, SMALL, Uncertainty, restitution_interval, strength_notes};
+pub use interval::{
+    HardnessRanges, RestitutionInterval, SMALL, Uncertainty, dent_interval, restitution_interval, strength_notes,
+};
 pub use key_spec::{KeySpec, Part, ValueForm, WordList};
 
 pub use list::ALL_KEYS;

@@ -171,6 +171,14 @@ pub const DEVIATION: Quantity = positive("a standard deviation", Dimension::Rati
 /// The error of the law as a fraction of its prediction.
 pub const MODEL_ERROR: Quantity = bounded_ratio("a share", Included(0.0), Excluded(1.0), "0.02");
 
+/// The covered fraction of a peened surface. Impacts at random places never cover all of the surface.
+pub const COVERAGE: Quantity = Quantity {
+    too_high: "a coverage is a fraction of the surface, and random impacts never reach 1. Full coverage (\"100 %\") is 0.98; \"200 %\" is twice the time for 0.98",
+    ..bounded_ratio("a coverage", Excluded(0.0), Excluded(1.0), "0.98")
+};
+pub const MASS_FLOW: Quantity = positive("a mass flow", Dimension::MassFlow, "\"5 kg/min\"");
+pub const AREA: Quantity = positive("an area", Dimension::Area, "\"50 cm^2\"");
+
 /// Random cases of a table.
 pub const N_SAMPLES: Quantity = bounded_ratio("a number of samples", Included(1.0), Excluded(f64::INFINITY), "100000");
 pub const SEED: Quantity = bounded_ratio("a seed", Included(0.0), Excluded(f64::INFINITY), "7");

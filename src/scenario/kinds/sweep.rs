@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
-use crate::results::{RESTITUTION, ResultColumn, result_columns};
+use crate::results::{PEENING_MEANS, RESTITUTION, ResultColumn, result_columns};
 use crate::scenario::keys::{KeyId, OTHER, key};
 use crate::scenario::plan::read_axes::{METHOD_KEY, RandomKeys};
 use crate::scenario::plan::{Cases, MAX_CASES, Plan};
@@ -37,6 +37,13 @@ impl Scenario {
         {
             // a resumed run reads the values of a histogram back
             columns.extend(pictures);
+        }
+        if let Some(columns) = &mut plan.columns
+            && plan.input.peening().is_some()
+            && matches!(plan.cases, Cases::MonteCarlo { .. })
+        {
+            // the coverage by random shots follows from the means of these columns
+            columns.extend(PEENING_MEANS);
         }
         if let Some((path, problem)) = plan.unused_axis() {
             return refuse(path, problem);

@@ -11,7 +11,7 @@ use super::input::{Body, Input, NumericKey};
 use super::keys::body_key;
 use super::rules::effect::Facts;
 use crate::impact::{Method, Warning};
-use crate::results::{RESTITUTION, Requirement, ResultColumn, result_columns};
+use crate::results::{PEENING_MEANS, RESTITUTION, Requirement, ResultColumn, result_columns};
 pub(crate) use axis::{AxisSetting, AxisValues, AxisWord, SweepAxis};
 pub use free_key::FreeKey;
 pub(crate) use random::{Distribution, Variable, VariableSampler};
@@ -105,13 +105,16 @@ impl Plan {
     }
 
     /// The columns whose distribution is reported, the restitution first: the columns that the scenario names among its columns or
-    /// pictures. Empty if nothing is random.
+    /// pictures, and in shot peening the columns whose means give the coverage. Empty if nothing is random.
     pub fn statistics_columns(&self) -> Vec<ResultColumn> {
         if !self.is_monte_carlo() {
             return Vec::new();
         }
         let named = [&self.columns, &self.pictures];
-        let is_named = |name| named.iter().any(|names| names.as_ref().is_some_and(|names| names.contains(&name)));
+        let is_named = |name| {
+            PEENING_MEANS.contains(&name)
+                || named.iter().any(|names| names.as_ref().is_some_and(|names| names.contains(&name)))
+        };
         let mut all: Vec<ResultColumn> = self.result_columns();
         all.retain(|column| column.name == RESTITUTION || is_named(column.name));
         all.sort_by_key(|column| column.name != RESTITUTION);

@@ -135,6 +135,31 @@ const RULES: &[KeyRule] = &[
         &["indentation"],
         "does not apply to [{}], which is computed in closed form. Remove one of the two.",
     ),
+    needs(
+        &["peening.mass_flow", "peening.area", "peening.time"],
+        &["peening.coverage"],
+        "requires peening.coverage. Add coverage = 0.98, which is full coverage in shot peening.",
+    ),
+    needs(
+        &["peening.mass_flow", "peening.time"],
+        &["peening.area"],
+        "requires peening.area, the area that the shot hits. Add area = \"50 cm^2\", or remove this key.",
+    ),
+    needs(
+        &["peening.area", "peening.time"],
+        &["peening.mass_flow"],
+        "requires peening.mass_flow, the mass of shot per time. Add mass_flow = \"5 kg/min\", or remove this key.",
+    ),
+    excludes(
+        &["peening"],
+        &["repeat", "indentation", "calibrate"],
+        "does not apply to [{}], because a coverage belongs to many equal impacts at random places. Remove one of the two.",
+    ),
+    excludes(
+        &["peening"],
+        &["half_space.mass", "half_space.radius"],
+        "cannot be combined with {}, because a coverage is known for a fixed, flat surface only. Remove one of the two.",
+    ),
     excludes(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO_TEXT),
     excludes(&["indentation.half_space"], &["half_space"], ONE_OF_TWO_TEXT),
 ];

@@ -118,7 +118,7 @@ const RULES: &[Rule] = &[
         "the contact is elastic because no body has a yield strength",
     ),
     columns(
-        &[Requirement::Strength],
+        &[Requirement::Strength, Requirement::Subsurface],
         |facts, _| !facts.first().can_yield(),
         "no body has a yield strength, so there is no dent",
     ),
@@ -126,6 +126,32 @@ const RULES: &[Rule] = &[
         &[Requirement::Interval],
         |facts, _| !facts.has_interval(),
         "the uncertainty of the strength is unknown. Name a material, or give a hardness or strength_kind = \"proof\"",
+    ),
+    columns(
+        &[Requirement::Peening, Requirement::MassFlow, Requirement::PeeningTime],
+        |facts, _| facts.first().peening().is_none(),
+        "the scenario has no [peening]. Add [peening] with coverage = 0.98",
+    ),
+    columns(
+        &[Requirement::MassFlow, Requirement::PeeningTime],
+        |facts, _| facts.first().peening().is_none_or(|peening| peening.mass_flux.is_none()),
+        "a time requires peening.mass_flow and peening.area",
+    ),
+    columns(
+        &[Requirement::PeeningTime],
+        |facts, _| facts.first().number(key!("peening.time")).is_none(),
+        "a coverage requires peening.time",
+    ),
+    columns(&[Requirement::Subsurface], |facts, _| !facts.first().asks_for_subsurface(), "no key asks for it"),
+    columns(
+        &[Requirement::Subsurface],
+        |facts, _| facts.is_on_plate() || facts.is_free() || facts.first().number(key!("half_space.radius")).is_some(),
+        "the stress below a dent is known for a half-space only",
+    ),
+    columns(
+        &[Requirement::Subsurface],
+        |facts, _| facts.all(|input| input.yield_partition().is_some_and(|partition| !partition.is_half_space_alone())),
+        "the stress below a dent is known only if the sphere does not yield",
     ),
     columns(&[Requirement::Rate], |facts, _| !facts.first().has_rate(), "no strain-rate model is given"),
     columns(

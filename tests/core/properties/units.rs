@@ -88,6 +88,7 @@ pub fn units_do_not_matter(run: &Run) -> Judgement {
         contact,
         impact,
         interval: None,
+        dent_interval: None,
         notes: &[],
         drop_height: None,
     });

@@ -38,6 +38,8 @@ struct SyntheticData {
 
 const STRENGTH: (&str, f64) = ("half_space.yield_strength", 345e6);
 const MODULUS: (&str, f64) = ("half_space.youngs_modulus", 210e9);
+/// The speed of a shot, which is fitted to dents.
+const SPEED: (&str, f64) = ("impact.speed", 40.0);
 const PLAIN: SyntheticData = SyntheticData {
     sets: 300,
     readings: 6,
@@ -55,7 +57,10 @@ fn coverage_shares(made: SyntheticData) -> Vec<[f64; 2]> {
     // by the closed form, as the command calibrates
     scene.set_default_method(Method::Auto);
     let contact = scene.contact().unwrap();
-    let speeds: Vec<f64> = (0..readings).map(|i| 0.3 * 17_f64.powf(f64::from(i) / f64::from(readings - 1))).collect();
+    // the speed of the readings is a column of the data, or the key that is fitted
+    let fitted_speed = keys.iter().find(|(path, _)| *path == SPEED.0).map(|(_, speed)| *speed);
+    let speed = |i| fitted_speed.unwrap_or(0.3 * 17_f64.powf(f64::from(i) / f64::from(readings - 1)));
+    let speeds: Vec<f64> = (0..readings).map(speed).collect();
     let range = |(path, truth): &(&str, f64)| FreeKey {
         key: NumericKey::find(path).unwrap(),
         from: 0.5 * truth,
@@ -77,10 +82,13 @@ fn coverage_shares(made: SyntheticData) -> Vec<[f64; 2]> {
         let noisy = exact.iter().zip(normals(set, exact.len()));
         let data = MeasurementData {
             name: "made".to_owned(),
-            keys: vec![NumericKey::find("impact.speed").unwrap()],
+            keys: NumericKey::find(SPEED.0).into_iter().filter(|_| fitted_speed.is_none()).collect(),
             rows: speeds
                 .iter()
-                .map(|speed| MeasurementRow { keys: vec![*speed], ..MeasurementRow::default() })
+                .map(|speed| MeasurementRow {
+                    keys: Some(*speed).into_iter().filter(|_| fitted_speed.is_none()).collect(),
+                    ..MeasurementRow::default()
+                })
                 .collect(),
             values: noisy
                 .map(|(value, noise)| MeasuredValue { value: value.value * (1.0 + sd * noise), ..*value })
@@ -127,6 +135,27 @@ fn intervals_cover_truth_at_stated_rate() {
                 let deviation = f64::sqrt(level * (1.0 - level) / made.sets as f64);
                 assert!((share - level).abs() < 3.5 * deviation, "{made:?}: {share} for {level}");
             }
+        }
+    }
+}
+
+/// Ten dents of one shot, whose diameters scatter by 3 %.
+#[test]
+fn speed_intervals_from_dents_cover_truth() {
+    let made = SyntheticData {
+        sets: 200,
+        readings: 10,
+        sd: 0.03,
+        is_estimated: true,
+        quantities: &["dent_diameter"],
+        keys: &[SPEED],
+        ..PLAIN
+    };
+    for key in coverage_shares(made) {
+        for (share, level) in key.into_iter().zip([0.682_69, 0.95]) {
+            // within 3.5 standard deviations of the share in 200 independent sets
+            let deviation = f64::sqrt(level * (1.0 - level) / 200.0);
+            assert!((share - level).abs() < 3.5 * deviation, "{share} for {level}");
         }
     }
 }

@@ -13,4 +13,5 @@ pub mod json_and_shell;
 pub mod laws;
 pub mod licences;
 pub mod mutated_files;
+mod peen;
 pub mod several_files;

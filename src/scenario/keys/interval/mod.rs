@@ -8,6 +8,7 @@
 //! A shift i is a known bias: both ends move. A width j is scatter. e is the restitution with waves if the density of the half-space
 //! is known, because this is the measured restitution.
 
+pub mod dent;
 pub mod law_error;
 mod strength;
 
@@ -17,6 +18,7 @@ use crate::numerics::functions::powi;
 pub use crate::results::restitution_interval::{IntervalPart, PartKind, RestitutionInterval, SMALL};
 use crate::results::restitution_interval::{LAW_BIAS, LAW_SCATTER};
 use crate::scenario::input::Input;
+pub use dent::dent_interval;
 use law_error::{has_law_error, law_error, poissons_ratio_part};
 use strength::{HardnessRange, strength_parts};
 pub use strength::{HardnessRanges, WHICH_STRENGTH, expected_notes, has_strength_parts, strength_notes};
