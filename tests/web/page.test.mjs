@@ -4,12 +4,10 @@ import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, test } from "node:test";
+import { test } from "node:test";
 
 import { FIRST, ROOT, SCENARIOS, call, read, runByCommand } from "./command.mjs";
-import { LINKED, SHOWN, agrees, cells, choose, end, field, isSeen, open, page, site, text, valueOf } from "./open.mjs";
-
-after(end);
+import { LINKED, SHOWN, agrees, cells, choose, field, isSeen, open, page, site, text, valueOf } from "./open.mjs";
 
 const picture = (name) => page.value(`document.querySelector("#picture-${name} svg").outerHTML`);
 
