@@ -116,6 +116,24 @@ test("the keyboard reaches the fields, and what has the focus is marked", async 
   assert.ok(focused.includes("Form") && focused.includes("field-sphere.radius"), `${focused}`);
 });
 
+test("on a phone keys reach the results before the form, as they are seen", async () => {
+  for (const [width, names] of [
+    [1400, ["scenario", "results"]],
+    [360, ["results", "scenario"]],
+  ]) {
+    await page.look(width, 800, false);
+    await open();
+    await page.until(`[...document.querySelectorAll("main > section")].map((one) => one.id).join() === "${names}"`);
+    const boxes = await page.value(
+      `${JSON.stringify(names)}.map((id) => document.getElementById(id).getBoundingClientRect()).map(({ left, top }) => left + top)`,
+    );
+    assert.ok(boxes[0] < boxes[1], `${width}: ${boxes}`);
+  }
+  // a window that becomes wide
+  await page.look(1400, 900, false);
+  await page.until('document.querySelector("main > section").id === "scenario"');
+});
+
 test("light and dark have contrast, and a narrow page is not wider than its window", async () => {
   // relative luminance and contrast of WCAG 2
   const contrast = `(() => {

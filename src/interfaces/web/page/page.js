@@ -195,6 +195,14 @@ async function copyLink() {
   }
 }
 
+// On a phone, the widths of page.css, the results come first: for the eye, for keys and for a screen reader. What has the focus is not moved.
+const PHONE = matchMedia("(max-width: 44rem)");
+function order() {
+  const [first, second] = PHONE.matches ? ["results", "scenario"] : ["scenario", "results"];
+  if (byId(first).contains(document.activeElement)) byId(first).after(byId(second));
+  else byId(second).before(byId(first));
+}
+
 function listen() {
   byId("text").addEventListener("input", () => setScenario(byId("text").value));
   byId("begin").addEventListener("change", async () => {
@@ -246,6 +254,8 @@ function openText() {
   byId("text").focus();
 }
 
+order();
+PHONE.addEventListener("change", order);
 try {
   await load(done);
   onRoom(byId("pictures"), compute);
