@@ -377,5 +377,8 @@ test("guide, citation, source and licences are beside the page, and every link o
   const pages = new Map();
   for (const link of links) await follow(site.address + link);
   assert.ok(seen.size > 20, `${seen.size}`);
-  assert.match(pages.get(`${site.address}pages/README.html`), /href="CITATION.cff"/);
+  assert.match(pages.get(`${site.address}pages/README.html`), /Xie et al\. \(2024\)/);
+  const citation = `${site.address}pages/CITATION.cff`;
+  assert.ok(seen.has(citation));
+  assert.match(await (await fetch(citation)).text(), /family-names: Xie\b/);
 });
