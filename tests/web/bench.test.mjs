@@ -4,12 +4,10 @@ import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, test } from "node:test";
+import { test } from "node:test";
 
-import { FIRST, callWith, runByCommand } from "./command.mjs";
-import { agrees, cells, choose, end, field, isSeen, open, page, site, text, valueOf } from "./open.mjs";
-
-after(end);
+import { FIRST, call, callWith, runByCommand } from "./command.mjs";
+import { agrees, cells, choose, field, isSeen, open, page, site, text, valueOf } from "./open.mjs";
 
 const ready = () => page.until(`document.getElementById("results").ariaBusy === "false"`);
 const aboutOf = (id) => page.value(`document.getElementById(${JSON.stringify(id)}).getAttribute("aria-label")`);
@@ -51,10 +49,35 @@ const slide = (id, value, kind) =>
     input.dispatchEvent(new Event(${JSON.stringify(kind)}));
   })()`);
 
+test("only what the first result needs is loaded before this result", async () => {
+  const source = `new MutationObserver((_, observer) => {
+    if (!document.getElementById("numbers")?.textContent.includes("restitution")) return;
+    window.shownAt = performance.now();
+    observer.disconnect();
+  }).observe(document, { childList: true, subtree: true });`;
+  await page.tell("Page.enable", {});
+  const { identifier } = await page.tell("Page.addScriptToEvaluateOnNewDocument", { source });
+  await open();
+  await page.tell("Page.removeScriptToEvaluateOnNewDocument", { identifier });
+  const [shownAt, loaded, preloaded] = await page.value(`[
+    window.shownAt,
+    performance.getEntriesByType("resource").map(({ name, startTime }) => [name.split("/").at(-1), startTime]),
+    [...document.querySelectorAll("link[rel$=preload]")].map((one) => one.getAttribute("href")),
+  ]`);
+  const early = new Set(loaded.filter(([, at]) => at < shownAt).map(([name]) => name));
+  const needed = new Set([...preloaded, "page.css", "page.js", "worker.js"]);
+  assert.deepEqual(
+    [...early].filter((name) => !needed.has(name)),
+    [],
+  );
+  for (const name of preloaded) assert.ok(early.has(name), name);
+  for (const name of ["later.js", "bench.js", "chart.js"])
+    assert.ok(loaded.some(([one]) => one === name) && !early.has(name));
+});
+
 test("a slider of speed computes what the command computes", async () => {
   await page.look(1400, 900, false);
   await open();
-  await ready();
   await slide("slide-speed", 1, "input");
   await agrees(runByCommand(...FIRST, "--set", "impact.speed=1 m/s").stdout);
   assert.equal(await valueOf("impact.speed"), "1 m/s");
@@ -68,7 +91,6 @@ test("a slider of speed computes what the command computes", async () => {
 
 test("curves follow a slider before it rests, and pictures after", async () => {
   await open();
-  await ready();
   const loop = () => page.value('document.querySelector("#chart-loop .curve").getAttribute("points")');
   const still = () => page.value('document.querySelector("#picture-force-indentation svg").outerHTML');
   const [before, picture] = [await aboutOf("chart-loop"), await still()];
@@ -91,7 +113,6 @@ test("curves follow a slider before it rests, and pictures after", async () => {
 
 test("keys move speed, size and strength on sliders and in fields", async () => {
   await open();
-  await ready();
   for (const [id, path] of [
     ["slide-speed", "impact.speed"],
     ["slide-size", "sphere.radius"],
@@ -105,7 +126,6 @@ test("keys move speed, size and strength on sliders and in fields", async () => 
     assert.ok(is > was && is < 1.03 * was, `${path} ${was} ${is}`);
   }
   await open();
-  await ready();
   await focus("field-impact.speed");
   await press("ArrowUp", 38);
   assert.equal(await valueOf("impact.speed"), "3.1 m/s");
@@ -117,7 +137,6 @@ test("keys move speed, size and strength on sliders and in fields", async () => 
 
 test("the value under the pointer is that of the table of the command", async () => {
   await open();
-  await ready();
   await mouse("mouseMoved", await placeOf(1));
   await page.until('document.getElementById("chart-restitution-read").textContent.includes("at impact speed 1 m/s")');
   assert.equal(
@@ -133,7 +152,6 @@ test("the value under the pointer is that of the table of the command", async ()
 
 test("a click on e sets the speed, and a drag moves it", async () => {
   await open();
-  await ready();
   const at = await placeOf(0.1);
   await mouse("mousePressed", at);
   await mouse("mouseReleased", at);
@@ -151,7 +169,6 @@ test("a click on e sets the speed, and a drag moves it", async () => {
 test("a finger reads e and sets the speed", async () => {
   await page.look(360, 740, false);
   await open();
-  await ready();
   await touch("touchStart", [await placeOf(0.3)]);
   await touch("touchMove", [await placeOf(1)]);
   assert.match(await readOf("chart-restitution"), /^Restitution 0\.\d+ at impact speed/);
@@ -162,7 +179,6 @@ test("a finger reads e and sets the speed", async () => {
 
 test("keys read both curves and set the speed", async () => {
   await open();
-  await ready();
   await focus("chart-restitution");
   await press("ArrowRight", 39);
   const said = await readOf("chart-restitution");
@@ -179,7 +195,6 @@ test("keys read both curves and set the speed", async () => {
 
 test("a kept curve stands beside another strength, in the key, table and link", async () => {
   await open();
-  await ready();
   await page.click("#keep");
   await page.type(field("half_space.yield_strength"), "700 MPa");
   await ready();
@@ -208,9 +223,29 @@ test("a kept curve stands beside another strength, in the key, table and link", 
   await page.until('document.querySelectorAll("#chart-loop .curve").length === 2');
 });
 
+test("a kept value with commas and quotes stays one cell", async () => {
+  const first = call("init", "impact", "--out", "-").stdout;
+  const scenario = (stress) =>
+    `${first}\n[half_space.flow_stress]\npoints = [[0.002, "345 MPa"], [0.1, "${stress}"]]\n`;
+  await open(scenario("500 MPa"));
+  await ready();
+  await page.click("#keep");
+  await page.value(`(() => {
+    const text = document.getElementById("text");
+    text.value = ${JSON.stringify(scenario("600 MPa"))};
+    text.dispatchEvent(new Event("input"));
+  })()`);
+  await ready();
+  await page.value('document.getElementById("keep").click()');
+  const [head, rows] = [await cells("#kept th"), await cells("#kept tbody tr:last-child td")];
+  assert.deepEqual(head.slice(0, 3), ["curve", "half_space.flow_stress.points", "restitution"]);
+  assert.equal(rows.length, head.length);
+  assert.equal(rows[1], '[[0.002, "345 MPa"], [0.1, "600 MPa"]]');
+  assert.match(rows[2], /^0\.\d+$/);
+});
+
 test("a kept curve of another law is named by the law", async () => {
   await open();
-  await ready();
   await page.click("#keep");
   await choose(field("law"), "thornton");
   await ready();
@@ -219,7 +254,6 @@ test("a kept curve of another law is named by the law", async () => {
 
 test("the animation steps, plays and shows where the loop is", async () => {
   await open();
-  await ready();
   const moment = () => page.value('document.querySelector(".moment").textContent');
   const { peak_indentation_m: peak } = summaryOf();
   assert.ok((await moment()).includes(`indentation ${four(peak * 1e6)} µm`), await moment());
@@ -242,7 +276,6 @@ test("the animation steps, plays and shows where the loop is", async () => {
 test("with less motion the animation goes in few steps", async () => {
   await page.tell("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
   await open();
-  await ready();
   await page.value(`(() => {
     window.seen = new Set();
     document.getElementById("moment").value = 0;
@@ -277,7 +310,6 @@ test("every experiment runs, with what the command prints", async () => {
 
 test("fields of a table make the axes that are typed", async () => {
   await open();
-  await ready();
   await page.click("#sweep > summary");
   await page.type("#sweep-low", "1 m/s");
   await page.type("#sweep-high", "4 m/s");
@@ -316,7 +348,6 @@ test("the bench fits its window, with letters that can be read", async () => {
 test("on paper the results stand alone, in black on white", async () => {
   await page.look(1400, 900, true);
   await open();
-  await ready();
   await page.tell("Emulation.setEmulatedMedia", {
     media: "print",
     features: [{ name: "prefers-color-scheme", value: "dark" }],
@@ -334,7 +365,6 @@ test("on paper the results stand alone, in black on white", async () => {
 
 test("full screen has large letters", async () => {
   await open();
-  await ready();
   const size = () => page.value('parseFloat(getComputedStyle(document.querySelector("#results")).fontSize)');
   const before = await size();
   await page.click("#full");
@@ -346,7 +376,6 @@ test("full screen has large letters", async () => {
 
 test("pictures say in words what they show", async () => {
   await open();
-  await ready();
   const { peak_force_N: force, restitution } = summaryOf();
   assert.ok((await aboutOf("chart-loop")).includes(`${four(force / 1e3)} kN`));
   const label = await page.value('document.querySelector("#picture-force-indentation svg").getAttribute("aria-label")');
@@ -364,6 +393,7 @@ test("after the first load the page works without a network", async () => {
     await page.go("about:blank");
     await page.go(site.address);
     await agrees(runByCommand(...FIRST).stdout);
+    await ready();
     await choose("#begin", "leeb-hardness");
     await page.until('document.getElementById("text").value.includes("Leeb")');
     await ready();

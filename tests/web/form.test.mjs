@@ -4,12 +4,10 @@ import assert from "node:assert/strict";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, test } from "node:test";
+import { test } from "node:test";
 
 import { FIRST, call, callWith, read, runByCommand } from "./command.mjs";
-import { LINKED, SHOWN, agrees, cells, choose, end, field, isSeen, open, page, text, valueOf } from "./open.mjs";
-
-after(end);
+import { LINKED, SHOWN, agrees, cells, choose, field, isSeen, open, page, text, valueOf } from "./open.mjs";
 
 const unfold = () => page.value('document.querySelectorAll("#form details").forEach((one) => one.open = true)');
 const BACKSPACE = "\uE003",

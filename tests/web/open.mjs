@@ -1,4 +1,6 @@
-// The page, opened in a browser, and what is seen of it.
+// The page, opened in a browser, and what is seen of it. Browser and server end after the last test.
+
+import { after } from "node:test";
 
 import { browse, serve } from "./browser.mjs";
 import { PAGE } from "./command.mjs";
@@ -6,11 +8,10 @@ import { PAGE } from "./command.mjs";
 export const site = await serve(PAGE);
 export const page = await browse();
 
-/** Ends browser and server. */
-export async function end() {
+after(async () => {
   await page.end();
   site.end();
-}
+});
 
 export const SHOWN =
   '[...document.querySelectorAll("#numbers :is(p, dt, dd, th, td, pre):not(table:has(caption) *)")].map((one) => one.textContent).join(" ")';
@@ -20,13 +21,13 @@ export const text = () => page.value('document.getElementById("text").value');
 
 export const LINKED = 'new URLSearchParams(location.hash.slice(1)).get("scenario")';
 
-/** Opens the page with a scenario in its address, or with the first one. */
+/** Opens the page with a scenario in its address, or with the first one, and waits until all of its results are there. */
 export async function open(scenario, data, address = site.address) {
   const link = scenario ? `#${new URLSearchParams({ scenario, ...(data && { data }) })}` : "";
   // the address alone would not load the page anew
   await page.go("about:blank");
   await page.go(address + link);
-  await page.until('document.getElementById("state").textContent !== "Loading …"');
+  await page.until('document.getElementById("results").ariaBusy === "false"');
 }
 
 /** Waits until the numbers are those that the command prints. */

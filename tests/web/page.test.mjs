@@ -4,12 +4,10 @@ import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, test } from "node:test";
+import { test } from "node:test";
 
 import { FIRST, ROOT, SCENARIOS, call, read, runByCommand } from "./command.mjs";
-import { LINKED, SHOWN, agrees, cells, choose, end, field, isSeen, open, page, site, text, valueOf } from "./open.mjs";
-
-after(end);
+import { LINKED, SHOWN, agrees, cells, choose, field, isSeen, open, page, site, text, valueOf } from "./open.mjs";
 
 const picture = (name) => page.value(`document.querySelector("#picture-${name} svg").outerHTML`);
 
@@ -116,6 +114,24 @@ test("the keyboard reaches the fields, and what has the focus is marked", async 
     await page.tell("Input.dispatchKeyEvent", { type: "keyDown", key: "Tab", code: "Tab", windowsVirtualKeyCode: 9 });
   }
   assert.ok(focused.includes("Form") && focused.includes("field-sphere.radius"), `${focused}`);
+});
+
+test("on a phone keys reach the results before the form, as they are seen", async () => {
+  for (const [width, names] of [
+    [1400, ["scenario", "results"]],
+    [360, ["results", "scenario"]],
+  ]) {
+    await page.look(width, 800, false);
+    await open();
+    await page.until(`[...document.querySelectorAll("main > section")].map((one) => one.id).join() === "${names}"`);
+    const boxes = await page.value(
+      `${JSON.stringify(names)}.map((id) => document.getElementById(id).getBoundingClientRect()).map(({ left, top }) => left + top)`,
+    );
+    assert.ok(boxes[0] < boxes[1], `${width}: ${boxes}`);
+  }
+  // a window that becomes wide
+  await page.look(1400, 900, false);
+  await page.until('document.querySelector("main > section").id === "scenario"');
 });
 
 test("light and dark have contrast, and a narrow page is not wider than its window", async () => {
@@ -361,5 +377,8 @@ test("guide, citation, source and licences are beside the page, and every link o
   const pages = new Map();
   for (const link of links) await follow(site.address + link);
   assert.ok(seen.size > 20, `${seen.size}`);
-  assert.match(pages.get(`${site.address}pages/README.html`), /href="CITATION.cff"/);
+  assert.match(pages.get(`${site.address}pages/README.html`), /Xie et al\. \(2024\)/);
+  const citation = `${site.address}pages/CITATION.cff`;
+  assert.ok(seen.has(citation));
+  assert.match(await (await fetch(citation)).text(), /family-names: Xie\b/);
 });

@@ -1,13 +1,6 @@
 // The curves of an impact, read from the files of the program: e against the speed, and force against indentation.
 
-/** A CSV file as rows of cells, with the names of its columns. */
-export function parseCsv(csv) {
-  const [names, ...rows] = csv
-    .trimEnd()
-    .split("\n")
-    .map((line) => line.split(","));
-  return { names, rows, column: (name) => rows.map((row) => row[names.indexOf(name)]) };
-}
+import { parseCsv } from "./csv.js";
 
 /** What is drawn of the reply to one impact; `null` for a reply of another kind. */
 export function curvesOf({ kind, files, curve }) {

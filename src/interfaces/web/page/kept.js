@@ -1,6 +1,7 @@
 // The curves that a user keeps: scenarios as text, with what the program says of each. They stand beside the curve of the scenario of
 // the page, which has the number 0.
 
+import { csvOf } from "./csv.js";
 import { download, element } from "./element.js";
 import { csvTable } from "./numbers.js";
 
@@ -29,13 +30,12 @@ export function nameOf(values, keys) {
 /** The kept curves as a table: a row for each, with the keys in which they differ, as they are written, and the main results. */
 export function keptCsv(kept) {
   const keys = differingKeys(kept.map(({ values }) => values));
-  const cell = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const row = ({ values, curves }, at) => [
     at + 1,
-    ...keys.map((key) => cell(String(values[key] ?? ""))),
+    ...keys.map((key) => values[key] ?? ""),
     ...RESULTS.map((name) => curves.summary[name] ?? ""),
   ];
-  return `${[["curve", ...keys, ...RESULTS], ...kept.map(row)].map((cells) => cells.join(",")).join("\n")}\n`;
+  return csvOf([["curve", ...keys, ...RESULTS], ...kept.map(row)]);
 }
 
 /** Shows the key of the curves and the table of the kept ones; `changed()` is called after a curve is removed. */

@@ -1,5 +1,6 @@
 // Texts and tables of results as lists and tables of the page.
 
+import { parseCsv } from "./csv.js";
 import { element } from "./element.js";
 
 // These lines of an impact say how exact it is, and how much work it was; they are folded.
@@ -36,10 +37,7 @@ export function blocks(text) {
 
 /** The first rows of a CSV file, its numbers with four digits. */
 export function csvTable(name, csv, most) {
-  const [head, ...rows] = csv
-    .trimEnd()
-    .split("\n")
-    .map((line) => line.split(","));
+  const { names: head, rows } = parseCsv(csv);
   const shown = rows.slice(0, most).map((cells) => cells.map(rounded));
   const caption = rows.length > most ? `the first ${most} of ${rows.length} rows of ${name}` : name;
   return table(head, shown, caption);

@@ -1,14 +1,10 @@
 // The page: the text of the scenario is what is run; form and address follow it, and a field changes it.
 
-import { makeBench } from "./bench.js";
 import { download, element } from "./element.js";
-import { EXPERIMENTS, experiment } from "./experiments.js";
 import { makeForm } from "./form.js";
-import { keepOffline } from "./offline.js";
 import { isNarrow, onRoom } from "./picture.js";
 import { fields, givenValues, load, materials, run, templates, withValue } from "./program.js";
 import { markStale, showResults } from "./results.js";
-import { makeSweepFields } from "./sweep.js";
 
 const FILE = "scenario.toml";
 const DATA = "calibrate.data";
@@ -20,43 +16,52 @@ const byId = (id) => document.getElementById(id);
 let text = "";
 let data;
 let form;
-let bench;
-let sweep;
-let later;
+// what comes after the first result, and the promise of it
+let later = null;
+let loading = null;
+// the kept curves of the address, until the bench has them
+let linked = [];
+let addressing;
 // A value that moves is computed without pictures; the pictures follow when it rests so long.
 const REST_MS = 350;
 let rest = null;
-// whether the files of the page are being kept for a time without a network
-let isOffline = false;
+// how many runs were asked for
+let runs = 0;
 // a key that was emptied, with the text before and after
 let emptied = null;
 
-/** Takes another text, shows it everywhere, and runs it; without pictures while a value moves. */
+/** Takes another text, runs it, and shows it everywhere; without pictures while a value moves. */
 function setScenario(newText, isMoving = false) {
   text = newText;
+  // the program works beside the page
+  compute(isMoving);
   if (byId("text").value !== text) byId("text").value = text;
-  const values = givenValues(text);
-  // a text that is no TOML leaves the form as it was
-  byId("form").toggleAttribute("inert", Boolean(values.error));
-  if (!values.error) {
-    form.fill(values);
-    bench.fill(values);
-    sweep.fill(values);
-  }
+  const values = fill();
   byId("measured").hidden = data === undefined;
   byId("measured").firstElementChild.textContent = `measured: ${values[DATA] ?? "not used by the scenario"}`;
   // what was copied is not this scenario
   byId("told").textContent = "";
   byId("address").hidden = true;
-  compute(isMoving);
   // browsers take only some changes of the address a second
-  clearTimeout(later);
-  later = setTimeout(address, 300);
+  clearTimeout(addressing);
+  addressing = setTimeout(address, 300);
+}
+
+/** Shows the values that the text gives. A text that is no TOML leaves the form as it was. */
+function fill() {
+  const values = givenValues(text);
+  byId("form").toggleAttribute("inert", Boolean(values.error));
+  if (!values.error) {
+    form?.fill(values);
+    later?.fill(values);
+  }
+  return values;
 }
 
 function compute(isMoving = false) {
   clearTimeout(rest);
   rest = isMoving ? setTimeout(compute, REST_MS) : null;
+  runs += 1;
   byId("results").ariaBusy = "true";
   run(FILE, text, data, isMoving ? "none" : isNarrow(byId("pictures")) ? "narrow-svg" : "svg");
 }
@@ -87,10 +92,10 @@ function withoutTemplateComments(text) {
 
 /** Puts the scenario into the address. The text with all comments, and long measurements, stay in the history of this browser. */
 function address() {
-  clearTimeout(later);
+  clearTimeout(addressing);
   const link = new URLSearchParams({ scenario: withoutTemplateComments(text) });
   if (data !== undefined && !isTooLong()) link.set("data", data);
-  for (const kept of bench.texts()) link.append("kept", withoutTemplateComments(kept));
+  for (const kept of later?.bench.texts() ?? linked) link.append("kept", withoutTemplateComments(kept));
   const kept = isTooLong() ? { text, data } : { text };
   try {
     history.replaceState(kept, "", `#${link}`);
@@ -103,18 +108,17 @@ function address() {
 /** The scenario of the address, or the one to begin with. */
 function restore() {
   const link = new URLSearchParams(location.hash.slice(1));
-  const linked = link.get("scenario");
+  const scenario = link.get("scenario");
   const { text: whole, data: measured } = history.state ?? {};
-  const isOfThisBrowser = whole !== undefined && withoutTemplateComments(whole) === linked;
+  const isOfThisBrowser = whole !== undefined && withoutTemplateComments(whole) === scenario;
   data = link.get("data") ?? (isOfThisBrowser ? measured : undefined);
-  setScenario(isOfThisBrowser ? whole : (linked ?? templates().impact));
-  // the kept curves wait until the first result is there
-  bench.restore(link.getAll("kept"));
+  linked = link.getAll("kept");
+  setScenario(isOfThisBrowser ? whole : (scenario ?? templates().impact));
+  later?.bench.restore(linked);
 }
 
 function done(reply, [, computed, , pictures]) {
   const isMoving = pictures === "none";
-  if (!isMoving) byId("results").ariaBusy = "false";
   const { error, details } = reply;
   const cure = details?.missing_key ? cureOf(details.missing_key) : null;
   const isAtField = form.showError(details?.key, details?.message, cure);
@@ -122,14 +126,37 @@ function done(reply, [, computed, , pictures]) {
   byId("problem").replaceChildren(error ?? "", ...(cure && !isAtField ? ["\n", cure] : []));
   byId("problem").classList.toggle("at-field", isAtField);
   if (error) markStale();
-  else {
-    showResults(reply, isMoving);
-    // the numbers are seen first
-    if (isMoving) bench.show(reply, computed);
-    else setTimeout(() => bench.show(reply, computed));
-    if (!isOffline) keepOffline();
-    isOffline = true;
+  else showResults(reply, isMoving);
+  // the numbers are seen first
+  if (isMoving) follow(reply, computed);
+  else setTimeout(follow, 0, reply, computed, runs);
+}
+
+/** Shows the bench of a result; then the results are complete, unless another run was asked for. */
+async function follow(reply, computed, number) {
+  try {
+    const { bench } = await loadLater();
+    if (!reply.error) bench.show(reply, computed);
+  } catch (error) {
+    refuse(error);
   }
+  if (number === runs) byId("results").ariaBusy = "false";
+}
+
+// loads it once; what failed is tried again at the next result
+function loadLater() {
+  const start = ({ makeLater }) => {
+    later = makeLater({ fields: fields(), materials: materials(), change, keptChanged: address });
+    fill();
+    later.bench.restore(linked);
+    return later;
+  };
+  const fail = (error) => {
+    loading = null;
+    throw error;
+  };
+  loading ??= import("./later.js").then(start).catch(fail);
+  return loading;
 }
 
 /** A button that adds a key which is asked for; none for a key without an example. */
@@ -168,12 +195,20 @@ async function copyLink() {
   }
 }
 
+// On a phone, the widths of page.css, the results come first: for the eye, for keys and for a screen reader. What has the focus is not moved.
+const PHONE = matchMedia("(max-width: 44rem)");
+function order() {
+  const [first, second] = PHONE.matches ? ["results", "scenario"] : ["scenario", "results"];
+  if (byId(first).contains(document.activeElement)) byId(first).after(byId(second));
+  else byId(second).before(byId(first));
+}
+
 function listen() {
   byId("text").addEventListener("input", () => setScenario(byId("text").value));
   byId("begin").addEventListener("change", async () => {
     const name = byId("begin").value;
     if (!name) return;
-    const begun = templates()[name] ?? (await experiment(name).catch(refuse));
+    const begun = templates()[name] ?? (await later.experiment(name).catch(refuse));
     if (!begun) return;
     // the way back leads to the scenario before
     address();
@@ -207,7 +242,6 @@ function listen() {
     if (event.dataTransfer.files[0]) measure(event.dataTransfer.files[0]);
   });
   window.addEventListener("popstate", restore);
-  onRoom(byId("pictures"), compute);
 }
 
 function refuse(error) {
@@ -215,35 +249,25 @@ function refuse(error) {
   byId("problem").textContent = error.message;
 }
 
-function addChoices(label, choices) {
-  byId("begin").append(element("optgroup", { label }, ...choices.map(({ name, title }) => new Option(title, name))));
-}
-
 function openText() {
   byId("source").open = true;
   byId("text").focus();
 }
 
+order();
+PHONE.addEventListener("change", order);
 try {
   await load(done);
-  const kinds = Object.keys(templates());
-  addChoices("Experiments", EXPERIMENTS);
-  addChoices(
-    "Empty forms",
-    kinds.map((kind) => ({ name: kind, title: kind.replace("_", " ") })),
-  );
-  const [keys, known] = [fields(), materials()];
-  const usual = Object.keys(givenValues(templates().impact));
-  form = makeForm(byId("form"), { fields: keys, materials: known, kinds, usual, changed: change, openText });
-  sweep = makeSweepFields(byId("sweep"), { fields: keys, changed: change });
-  bench = makeBench({
-    fields: keys,
-    materials: known,
-    change: (path, value) => change([[path, value]], true),
-    keptChanged: address,
-  });
-  listen();
+  onRoom(byId("pictures"), compute);
+  // the program works on the first result while the form is made
   restore();
+  const kinds = Object.keys(templates());
+  const choices = kinds.map((kind) => new Option(kind.replace("_", " "), kind));
+  byId("begin").append(element("optgroup", { label: "Empty forms" }, ...choices));
+  const usual = Object.keys(givenValues(templates().impact));
+  form = makeForm(byId("form"), { fields: fields(), materials: materials(), kinds, usual, changed: change, openText });
+  fill();
+  listen();
 } catch (error) {
   byId("state").textContent = `The program could not be loaded: ${error.message}`;
 }
