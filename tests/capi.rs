@@ -215,6 +215,7 @@ fn example_prints_e_as_page_shows() {
 }
 
 /// Runs a program that a build needs and that may be missing here; `None` if it is.
+#[allow(clippy::explicit_write)] // the test runner would keep what `eprintln!` says
 fn run_if_installed(program: &str, arguments: &[&str], pkg_config_path: &str) -> Option<String> {
     let run = Command::new(program).args(arguments).env("PKG_CONFIG_PATH", pkg_config_path).output();
     let Ok(run) = run else {

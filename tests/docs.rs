@@ -121,7 +121,8 @@ struct Clone(TempDir);
 impl Clone {
     fn new() -> Self {
         let clone = Self(TempDir::new().unwrap());
-        for kept in ["README.md", ".gitignore", "scenarios", "plots", "src/contact/law/plm/coefficients.toml"] {
+        let trace = "tests/reference/lammps_hooke.txt";
+        for kept in ["README.md", ".gitignore", "scenarios", "plots", "src/contact/law/plm/coefficients.toml", trace] {
             copy(&Path::new(ROOT).join(kept), &clone.path().join(kept));
         }
         clone.shell("git init -q && git add -A && git clean -fdxq", 0);
@@ -425,7 +426,7 @@ fn documented_commands_run_and_reproduce_the_gallery() {
     for page in PAGES.into_iter().filter(|page| *page != TUTORIAL) {
         for (block, shown) in commands(&read(page)) {
             let mut last = String::new();
-            if ["big.toml", "--partition-by", "pip install", "cargo rustc", "cc -I", "LAMMPS_PLUGIN_PATH"]
+            if ["big.toml", "--partition-by", "pip install", "cargo rustc", "cc -I", "pkg-config", "LAMMPS_PLUGIN_PATH"]
                 .iter()
                 .any(|tool| block.contains(tool))
             {

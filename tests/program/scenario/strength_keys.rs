@@ -163,13 +163,13 @@ fn e_of_quenched_steels_is_biased_low() {
     let slow = bias(&[]);
     let [least, most] = ends(&slow);
     assert!(comparison::mean(&slow).abs() < 3.5 && most > -5.0 && least < 0.0, "{slow:?}");
-    let row = format!("| too low: by {:.1} to {:.1} % for quenched steels", -least, -most);
+    let row = format!("| quenched steels, without a rate: too low by {:.1} to {:.1} %", -least, -most);
     assert!(guide.contains(&row), "{row}");
     let fast = bias(&["half_space.rate.johnson_cook.c=0.006"]);
     assert!(comparison::mean(&fast).abs() < 1.5, "{fast:?}");
     // by range of hardness, as the guide says
     let [soft, hard] = [&fast[..8], &fast[8..]].map(comparison::mean);
-    let row = format!("by {:.1} % up to 400 HV, and too high by {:.1} % above 400 HV", -soft, hard);
+    let row = format!("too low by {:.1} % up to 400 HV, too high by {:.1} % above", -soft, hard);
     assert!(guide.contains(&row), "{row} {fast:?}");
 }
 

@@ -4,8 +4,14 @@ use std::collections::BTreeSet;
 
 use super::*;
 
-/// Pictures that are read in a way of their own: the map by its colours, and the regions of two keys by their outline.
-const READ_ELSEWHERE: [&str; 2] = ["heatmap::heatmap", "posterior::posterior_chart"];
+/// Pictures that are read in a way of their own: the map by its colours, and the regions of two keys by their outline. The tests of
+/// `check-trace` and `peen` read the words of theirs.
+const READ_ELSEWHERE: [&str; 4] = [
+    "contact_trace::contact_trace",
+    "heatmap::heatmap",
+    "posterior::posterior_chart",
+    "process_window::process_window",
+];
 
 /// Times are other ones in every run, and the bench writes them as PNG alone.
 const NOT_READ: [&str; 1] = ["report::picture"];
