@@ -65,7 +65,7 @@ test("only what the first result needs is loaded before this result", async () =
     [...document.querySelectorAll("link[rel$=preload]")].map((one) => one.getAttribute("href")),
   ]`);
   const early = new Set(loaded.filter(([, at]) => at < shownAt).map(([name]) => name));
-  const needed = new Set([...preloaded, "page.css", "page.js", "worker.js"]);
+  const needed = new Set([...preloaded, "page.css", "page.js", "worker.js", "plm_impact_bg.wasm"]);
   assert.deepEqual(
     [...early].filter((name) => !needed.has(name)),
     [],

@@ -52,7 +52,7 @@ function fill() {
   const values = givenValues(text);
   byId("form").toggleAttribute("inert", Boolean(values.error));
   if (!values.error) {
-    form?.fill(values);
+    form.fill(values);
     later?.fill(values);
   }
   return values;
@@ -259,15 +259,13 @@ PHONE.addEventListener("change", order);
 try {
   await load(done);
   onRoom(byId("pictures"), compute);
-  // the program works on the first result while the form is made
-  restore();
   const kinds = Object.keys(templates());
   const choices = kinds.map((kind) => new Option(kind.replace("_", " "), kind));
   byId("begin").append(element("optgroup", { label: "Empty forms" }, ...choices));
   const usual = Object.keys(givenValues(templates().impact));
   form = makeForm(byId("form"), { fields: fields(), materials: materials(), kinds, usual, changed: change, openText });
-  fill();
   listen();
+  restore();
 } catch (error) {
   byId("state").textContent = `The program could not be loaded: ${error.message}`;
 }
