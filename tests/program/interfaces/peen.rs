@@ -187,7 +187,7 @@ fn dents_give_back_their_speed() {
     let on = &EXAMPLE[7..];
     let diameter = number(&json(&desk, &EXAMPLE, &[]), "dent_diameter_m");
     let dents: Vec<String> = [0.98, 1.0, 1.02].iter().map(|factor| (factor * diameter * 1e6).to_string()).collect();
-    desk.write("dents.csv", &format!("dent_diameter_um\n{}\n", dents.join("\n")));
+    desk.write("dents.csv", format!("dent_diameter_um\n{}\n", dents.join("\n")));
     let fitted = json(&desk, &[named, on].concat(), &["--dents", "dents.csv"]);
     assert!(relative_error(number(&fitted["keys"][0], "estimate"), 40.0) < 2e-3, "{fitted}");
     // the range of hardness of the library is a band
