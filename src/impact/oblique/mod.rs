@@ -2,7 +2,7 @@
 //!
 //! The normal motion does not depend on friction (exact for equal bodies, and for a rigid body on an incompressible one). The
 //! tangential motion has one unknown: the slip speed s of the contact point after the impact over the slip speed before, s_1/s_0
-//! ([`slip`]). With γ = G*/E*, 1/G* = (2 − ν_s)/G_s + (2 − ν_h)/G_h, j = 1 + m R²/I, and the normal speed v_n:
+//! (`slip.rs`). With γ = G*/E*, 1/G* = (2 − ν_s)/G_s + (2 − ν_h)/G_h, j = 1 + m R²/I, and the normal speed v_n:
 //!
 //! ```text
 //! ψ_1 = 4γ s_0/(μ v_n),   ψ_2 = 4γ s_1/(μ v_n),   χ = 2γ j

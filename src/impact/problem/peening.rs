@@ -5,7 +5,7 @@
 //! N(C) = −ln(1 − C)/A              0.98, which peeners call full coverage: N = ln 50/A
 //! ```
 //!
-//! With dents of several sizes A is their mean area, because the probability that no dent covers a point is exp(−N E[A]).
+//! With dents of several sizes A is their mean area, because the probability that no dent covers a point is exp(−N E\[A\]).
 
 use crate::numerics::functions::{exp, ln};
 
