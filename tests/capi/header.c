@@ -1,11 +1,11 @@
-/* The header of a contact beside the C functions, in one program: the largest deviation of the force relative to the peak force, and
-   the time of a force. Arguments: the scenario that the header was made of. See tests/capi.rs. */
+/* The header of a contact beside the C functions, in one program: the largest deviation of the force relative to the
+   peak force, and the time of a force. Arguments: the scenario that the header was made of. See tests/capi.rs. */
 #define _POSIX_C_SOURCE 199309L
 #include <stdio.h>
 #include <time.h>
 
-#include "plm_steel.h"
 #include "plm_impact.h"
+#include "plm_steel.h"
 
 enum { STATES = 4000, ROUNDS = 25, REPEATS = 20 };
 

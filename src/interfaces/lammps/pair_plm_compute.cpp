@@ -38,7 +38,7 @@ inline void PairPLM::slip_of(const Contact &contact, double *slip) const {
 }
 
 /* Adds the friction on i to its force, and its moment about the centre over the lever. */
-inline void PairPLM::add_friction(const Contact &contact, double *force, double *moment) const {
+inline void PairPLM::add_friction(const Contact &contact, double *force, double *moment) {
     double friction_force[3];
     for (int k = 0; k < 3; k++) {
         friction_force[k] = contact.history[FRICTION + k] * contact.balls->per_force;
@@ -54,7 +54,7 @@ inline double PairPLM::advance(const Contact &contact, bool has_energy) {
     plm_history &state = PLM::state_of(history);
     // the setup of a run has no step before it
     const bool rubs = friction >= 0.0 && !update->setupflag;
-    double slip[3], before[3];
+    double slip[3] = {0.0, 0.0, 0.0}, before[3];
     if (rubs) {
         slip_of(contact, slip);
         std::copy_n(of_friction, 3, before);
