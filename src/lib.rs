@@ -122,7 +122,7 @@
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! # let half_space = HalfSpace::flat(steel, Some(345e6));
 //! use plm_impact::Approach;
-//! use plm_impact::impact::{Damping, Forces, Plate, PlateTheory};
+//! use plm_impact::impact::{Damping, Forces, Plate, PlateTheory, TangentialMotion};
 //!
 //! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //! let forces = Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.1)), ..Forces::default() };

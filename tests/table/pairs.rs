@@ -18,7 +18,7 @@ const SMALL: &str = "sphere.radius=5e-4";
 const SOFT_SPHERE: [&str; 2] = ["half_space.yield_strength=none", "sphere.yield_strength=3e8"];
 
 /// Scenes that together give all numeric keys.
-const SCENES: [&[&str]; 27] = [
+const SCENES: [&[&str]; 29] = [
     &[FALL, AIR, SMALL, "half_space.radius=0.02", "half_space.density=7850"],
     &[
         FALL,
@@ -33,6 +33,12 @@ const SCENES: [&[&str]; 27] = [
     &[FALL, AIR, SMALL, "damping.hunt_crossley=0.1", "gravity.acceleration=9.81"],
     &["half_space.mass=0.01", "sphere.density=8000"],
     &["impact.angle=0.4 rad", "friction.coefficient=0.1", "sphere.spin=10", "sphere.moment_of_inertia=4e-8"],
+    &[
+        "impact.angle=0.4 rad",
+        "friction.coefficient=0.1",
+        "sphere={radius=5e-3,youngs_modulus=2e11,poissons_ratio=0.3,density=7850,spin=10,spin_about_path=20,spin_about_normal=30}",
+    ],
+    &["peening={coverage=0.9,mass_flow=0.1,area=0.01,time=10}"],
     &["half_space.flow_stress.power.exponent=0.1", "law.plm.unloading_exponent=1.6"],
     &["half_space.flow_stress.voce={saturation=2.0,rate=20.0}"],
     &["half_space.flow_stress.linear.slope=1e9", FALL, AIR, SMALL],
