@@ -29,21 +29,10 @@ pub struct FittedInterval<const K: usize> {
     pub terms: [[f64; N_TERMS]; K],
 }
 
-/// Functions of x to be fitted: their values, and the scale of the error of each value.
-pub trait FittedFunctions<const K: usize> {
-    fn values_and_scales(&self, x: f64) -> ([f64; K], [f64; K]);
-}
-
-impl<const K: usize, F: Fn(f64) -> ([f64; K], [f64; K])> FittedFunctions<K> for F {
-    fn values_and_scales(&self, x: f64) -> ([f64; K], [f64; K]) {
-        self(x)
-    }
-}
-
-/// The polynomials between the first and the last of these knots, which rise. Each differs from its function by at most `tolerance`
-/// scales. `None` if a value is not finite, or if the functions have too many intervals.
+/// The polynomials between the first and the last of these knots, which rise. `functions` computes the values at x, and the scale of the
+/// error of each value. Each polynomial differs from its function by at most `tolerance` scales. `None` if a value is not finite, or if the functions have too many intervals.
 pub fn fit_piecewise<const K: usize>(
-    functions: &impl FittedFunctions<K>,
+    functions: &impl Fn(f64) -> ([f64; K], [f64; K]),
     knots: &[f64],
     tolerance: f64,
 ) -> Option<Vec<FittedInterval<K>>> {
@@ -78,7 +67,7 @@ fn kinks<const K: usize>(intervals: &[FittedInterval<K>]) -> Vec<f64> {
 
 /// The intervals from knot to knot, halved where a polynomial is not good enough.
 fn halve_until_fitted<const K: usize>(
-    functions: &impl FittedFunctions<K>,
+    functions: &impl Fn(f64) -> ([f64; K], [f64; K]),
     knots: &[f64],
     tolerance: f64,
 ) -> Option<Vec<FittedInterval<K>>> {
@@ -102,34 +91,38 @@ fn halve_until_fitted<const K: usize>(
 
 /// The polynomials of one interval, and their largest error in units of the scales.
 #[allow(clippy::cast_precision_loss)] // a few terms
-fn fit<const K: usize>(functions: &impl FittedFunctions<K>, start: f64, end: f64) -> (FittedInterval<K>, f64) {
+fn fit<const K: usize>(
+    functions: &impl Fn(f64) -> ([f64; K], [f64; K]),
+    start: f64,
+    end: f64,
+) -> (FittedInterval<K>, f64) {
     let half = 0.5 * (end - start);
     let middle = start + half;
     let node = |j: usize, n: usize| cos(PI * (2 * j + 1) as f64 / (2 * n) as f64);
-    let values: [[f64; K]; N_TERMS] =
-        std::array::from_fn(|j| functions.values_and_scales(middle + half * node(j, N_TERMS)).0);
+    let values: [[f64; K]; N_TERMS] = std::array::from_fn(|j| functions(middle + half * node(j, N_TERMS)).0);
     let mut terms = [[0.0; N_TERMS]; K];
-    for (k, terms) in terms.iter_mut().enumerate() {
-        // T_(n+1) = 2 t T_n − T_(n−1), in powers of t
-        let (mut before, mut chebyshev) = ([0.0; N_TERMS], [0.0; N_TERMS]);
-        chebyshev[0] = 1.0;
-        for n in 0..N_TERMS {
-            let angle = |j: usize| PI * (n * (2 * j + 1) % (4 * N_TERMS)) as f64 / (2 * N_TERMS) as f64;
-            let sum: f64 = values.iter().enumerate().map(|(j, values)| values[k] * cos(angle(j))).sum();
-            let coefficient = if n == 0 { 1.0 } else { 2.0 } * sum / N_TERMS as f64;
+    // T_(n+1) = 2 t T_n − T_(n−1), in powers of t
+    let (mut before, mut chebyshev) = ([0.0; N_TERMS], [0.0; N_TERMS]);
+    chebyshev[0] = 1.0;
+    for n in 0..N_TERMS {
+        let factor = if n == 0 { 1.0 } else { 2.0 };
+        let weights: [f64; N_TERMS] =
+            std::array::from_fn(|j| cos(PI * (n * (2 * j + 1) % (4 * N_TERMS)) as f64 / (2 * N_TERMS) as f64));
+        for (k, terms) in terms.iter_mut().enumerate() {
+            let sum: f64 = values.iter().zip(&weights).map(|(values, weight)| values[k] * weight).sum();
+            let coefficient = factor * sum / N_TERMS as f64;
             for (term, power) in terms.iter_mut().zip(&chebyshev) {
                 *term += coefficient * power;
             }
-            let factor = if n == 0 { 1.0 } else { 2.0 };
-            let next = std::array::from_fn(|i| if i == 0 { 0.0 } else { factor * chebyshev[i - 1] } - before[i]);
-            (before, chebyshev) = (chebyshev, next);
         }
+        let next = std::array::from_fn(|i| if i == 0 { 0.0 } else { factor * chebyshev[i - 1] } - before[i]);
+        (before, chebyshev) = (chebyshev, next);
     }
     let interval = FittedInterval { start, end, middle, inverse_half: 1.0 / half, terms };
     let mut worst = 0.0;
     for j in 0..N_CHECKS {
         let x = middle + half * node(j, N_CHECKS);
-        let (values, scales) = functions.values_and_scales(x);
+        let (values, scales) = functions(x);
         for k in 0..K {
             let error = (interval.value(k, x) - values[k]).abs() / scales[k];
             worst = if error > worst || error.is_nan() { error } else { worst };
