@@ -12,7 +12,7 @@ use plm_impact::report::run::{RunOptions, refuse_warnings};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 
-use super::options::{OptionKeys, push_key};
+use super::options::{OptionKeys, push_key, push_recommended_exponent};
 use super::scenario::write_new_scenario;
 
 /// Simulate one impact of a ball on a library material (no scenario file needed)
@@ -148,10 +148,7 @@ impl DropArguments {
         {
             return text;
         }
-        text.push_str(
-            "\n[law.plm]\n# recommended: rms error of e 1 % (with 1.5, the exponent of the paper, e is 3 % too low)\n",
-        );
-        push_key(&mut text, "unloading_exponent", Some("pressure-shape"));
+        push_recommended_exponent(&mut text);
         text
     }
 }

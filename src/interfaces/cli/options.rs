@@ -38,3 +38,11 @@ impl OptionKeys {
 pub fn push_key(text: &mut String, key: &str, value: Option<&str>) {
     let _ = value.map(|value| writeln!(text, "{key} = {}", toml::Value::from(value)));
 }
+
+/// Appends the unloading exponent that the program recommends.
+pub fn push_recommended_exponent(text: &mut String) {
+    text.push_str(
+        "\n[law.plm]\n# recommended: rms error of e 1 % (with 1.5, the exponent of the paper, e is 3 % too low)\n",
+    );
+    push_key(text, "unloading_exponent", Some("pressure-shape"));
+}

@@ -8,7 +8,7 @@ use plm_impact::error::Error;
 use plm_impact::scenario::input::NumericKey;
 use plm_impact::units::{Dimension, format_number, parse};
 
-use super::super::options::{OptionKeys, push_key};
+use super::super::options::{OptionKeys, push_key, push_recommended_exponent};
 use super::super::terminal::failed_with;
 use super::PeenArguments;
 use super::shot::{ShotText, shot_text};
@@ -61,10 +61,7 @@ pub fn scenario_text(arguments: &PeenArguments) -> Result<String, Error> {
     push_key(&mut text, "yield_strength", arguments.on_strength.as_deref());
     push_key(&mut text, "strength_kind", arguments.on_strength_kind.as_deref());
     push_key(&mut text, "hardness", arguments.on_hardness.as_deref());
-    text.push_str(
-        "\n[law.plm]\n# recommended: rms error of e 1 % (with 1.5, the exponent of the paper, e is 3 % too low)\n",
-    );
-    push_key(&mut text, "unloading_exponent", Some("pressure-shape"));
+    push_recommended_exponent(&mut text);
     if let Some(dents) = &arguments.dents {
         let path = absolute(dents).map_err(failed_with(dents.display()))?;
         text.push_str("\n[calibrate]\n");
