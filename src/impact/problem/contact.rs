@@ -200,6 +200,11 @@ impl Contact {
         self
     }
 
+    /// Largest contact radius over the radius of the smaller body up to which the law is validated.
+    pub fn max_radius_ratio(&self) -> f64 {
+        self.law.validity.max_radius_ratio
+    }
+
     /// Returns this contact with results of shot peening.
     #[inline]
     pub fn with_peening(mut self, peening: Option<Peening>) -> Self {

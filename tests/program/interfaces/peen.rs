@@ -233,3 +233,32 @@ fn depths_below_dent_are_columns_on_request() {
         assert!(relative_error(cell("residual_compression_Pa"), stress) < 1e-9, "{line}");
     }
 }
+
+/// The stated limit of the contact radius is that of the bodies that yield: a dent in the target, or a flat on a soft shot.
+#[test]
+fn limit_is_that_of_the_yielding_body() {
+    let desk = Sandbox::with("");
+    let soft = [
+        "--diameter",
+        "0.6 mm",
+        "--material",
+        "aluminium-6061-t6",
+        "--speed",
+        "20 m/s",
+        "--on",
+        "steel-52100-hardened",
+    ];
+    let printed = |options: &[&str]| desk.run_expecting(&[&["peen"], options].concat(), 0).0;
+    assert!(printed(&soft).contains("valid up to 0.3."), "{}", printed(&soft));
+    let hard = [
+        "--diameter",
+        "0.6 mm",
+        "--material",
+        "steel-52100-hardened",
+        "--speed",
+        "20 m/s",
+        "--on",
+        "aluminium-6061-t6",
+    ];
+    assert!(printed(&hard).contains("valid up to 0.55."), "{}", printed(&hard));
+}

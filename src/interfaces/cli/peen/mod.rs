@@ -11,7 +11,8 @@ use std::path::Path;
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::files::create;
 use plm_impact::report::chart::PictureFormat;
-use plm_impact::report::run::{Outcome, refuse_warnings};
+use plm_impact::report::run::{Outcome, contact_at_scenario_speed, refuse_warnings};
+use plm_impact::scenario::Scenario;
 use plm_impact::units::format_four_digits;
 
 pub use self::arguments::PeenArguments;
@@ -44,7 +45,7 @@ pub fn peen(arguments: &PeenArguments) -> Result<(), Error> {
         match (&arguments.dents, &arguments.window) {
             (Some(_), _) => printed.push_str(&dents::band_text(arguments, &text)?),
             (None, Some(_)) => {}
-            (None, None) => printed.push_str(&limits_text(&outcome)),
+            (None, None) => printed.push_str(&limits_text(&scenario, &outcome)?),
         }
         super::terminal::print(&printed)?;
     }
@@ -56,15 +57,15 @@ pub fn peen(arguments: &PeenArguments) -> Result<(), Error> {
 }
 
 /// The limits of the results.
-fn limits_text(outcome: &Outcome) -> String {
+fn limits_text(scenario: &Scenario, outcome: &Outcome) -> Result<String, Error> {
     let ratio = summary(outcome).and_then(|summary| summary["contact_radius_over_R"].as_f64());
-    let ratio = ratio.map(|ratio| {
-        format!(
-            "The contact radius is {} of the radius of the shot; the law is valid up to 0.55.\n",
-            format_four_digits(ratio)
-        )
-    });
-    format!("\n{}{NOT_CLAIMED}", ratio.unwrap_or_default())
+    let Some(ratio) = ratio else { return Ok(format!("\n{NOT_CLAIMED}")) };
+    let (_, contact) = contact_at_scenario_speed(scenario)?;
+    Ok(format!(
+        "\nThe contact radius is {} of the radius of the shot; the law is valid up to {}.\n{NOT_CLAIMED}",
+        format_four_digits(ratio),
+        contact.max_radius_ratio()
+    ))
 }
 
 fn picture_format(arguments: &PeenArguments) -> PictureFormat {
