@@ -9,6 +9,7 @@
 #include "force.h"
 #include "memory.h"
 #include "pair_plm.h"
+#include "plm_common.h"
 
 #include <algorithm>
 #include <cstring>
@@ -139,10 +140,7 @@ int FixPLMEnergy::pack_restart(int i, double *buffer) {
 }
 
 void FixPLMEnergy::unpack_restart(int i, int nth) {
-    double *extra = atom->extra[i];
-    int at = 0;
-    for (int skipped = 0; skipped < nth; skipped++) at += static_cast<int>(extra[at]);
-    std::copy_n(extra + at + RESTART_HEADER, COLUMNS, work[i]);
+    std::copy_n(PLM::restart_record(atom->extra[i], nth) + RESTART_HEADER, COLUMNS, work[i]);
 }
 
 int FixPLMEnergy::size_restart(int) { return COLUMNS + RESTART_HEADER; }

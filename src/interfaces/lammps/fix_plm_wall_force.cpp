@@ -82,14 +82,14 @@ void FixPLMWall::update_contact(int i, const double *normal, double distance, do
     plm_history &contact = PLM::state_of(slot + STATE);
     double *of_friction = slot + FRICTION, slip[3] = {0.0, 0.0, 0.0};
     // the setup of a run has no step before it
-    const bool rubs = friction >= 0.0 && !update->setupflag;
-    if (rubs) {
+    const bool has_slip = friction >= 0.0 && !update->setupflag;
+    if (has_slip) {
         slip_of(i, normal, scale, slip);
         PLM::turn(of_friction, normal);
     }
     double stored;
-    if (plm_contact_step(law.contact, indentation, &contact, friction, rubs ? slip : nullptr,
-                         rubs ? of_friction : nullptr, &stored) != 0)
+    if (plm_contact_step(law.contact, indentation, &contact, friction, has_slip ? slip : nullptr,
+                         has_slip ? of_friction : nullptr, &stored) != 0)
         error->one(FLERR, "Fix plm/wall: force or friction on sphere {} is not finite: is the timestep too long?",
                    atom->tag[i]);
     warn_once(i, overlap, indentation, is_new);

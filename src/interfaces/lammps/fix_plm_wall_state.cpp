@@ -1,4 +1,4 @@
-/* What fix plm/wall keeps of each sphere, its energies, and its way through exchanges of spheres and restart files.
+/* The state of each sphere in fix plm/wall: energies, exchange between ranks, restart files.
    SPDX-License-Identifier: GPL-2.0-or-later */
 
 #include "fix_plm_wall.h"
@@ -85,20 +85,18 @@ int FixPLMWall::pack_restart(int i, double *buffer) {
 }
 
 void FixPLMWall::unpack_restart(int i, int nth) {
-    double *extra = atom->extra[i];
-    int at = 0;
-    for (int skipped = 0; skipped < nth; skipped++) at += static_cast<int>(extra[at]);
-    if (static_cast<int>(extra[at]) != values + RESTART_HEADER)
+    const double *record = PLM::restart_record(atom->extra[i], nth);
+    if (static_cast<int>(record[0]) != values + RESTART_HEADER)
         error->one(FLERR, "Fix plm/wall: the restart file was written with another wall, with or without friction, or "
                           "by an older version; give "
                           "this fix another ID to begin with fresh contacts");
-    if (extra[at + 1] != laws[atom->type[i]].fingerprint)
+    if (record[1] != laws[atom->type[i]].fingerprint)
         error->one(FLERR,
                    "Fix plm/wall: the restart file was written with another scenario for atoms of type {}, and the "
                    "dents in it belong to that "
                    "one; use its file, or give this fix another ID to begin with fresh contacts",
                    atom->type[i]);
-    std::copy_n(extra + at + RESTART_HEADER, values, state[i]);
+    std::copy_n(record + RESTART_HEADER, values, state[i]);
 }
 
 int FixPLMWall::size_restart(int /*i*/) { return values + RESTART_HEADER; }

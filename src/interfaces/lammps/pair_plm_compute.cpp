@@ -53,21 +53,21 @@ inline double PairPLM::advance(const Contact &contact, bool has_energy) {
     double *history = contact.history, *of_friction = history + FRICTION, stored = 0.0;
     plm_history &state = PLM::state_of(history);
     // the setup of a run has no step before it
-    const bool rubs = friction >= 0.0 && !update->setupflag;
+    const bool has_slip = friction >= 0.0 && !update->setupflag;
     double slip[3] = {0.0, 0.0, 0.0}, before[3];
-    if (rubs) {
+    if (has_slip) {
         slip_of(contact, slip);
         std::copy_n(of_friction, 3, before);
         PLM::turn(of_friction, contact.normal);
     }
-    if (plm_contact_step(balls.contact, contact.overlap * balls.length, &state, friction, rubs ? slip : nullptr,
-                         rubs ? of_friction : nullptr, has_energy ? &stored : nullptr) != 0)
+    if (plm_contact_step(balls.contact, contact.overlap * balls.length, &state, friction, has_slip ? slip : nullptr,
+                         has_slip ? of_friction : nullptr, has_energy ? &stored : nullptr) != 0)
         error->one(FLERR,
                    "Pair plm: force or friction between spheres {} and {} is not finite: is the timestep too long?",
                    atom->tag[contact.i], atom->tag[contact.j]);
     if (account) {
         if (state.plastic != history[TAKEN]) count_plastic_work(contact);
-        if (rubs) count_friction(contact, slip, before);
+        if (has_slip) count_friction(contact, slip, before);
     }
     return stored * balls.per_energy;
 }

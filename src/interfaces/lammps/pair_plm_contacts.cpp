@@ -1,4 +1,4 @@
-/* What LAMMPS asks pair_style plm about its contacts between steps: their histories, energies and laws.
+/* Answers of pair_style plm to LAMMPS between steps: histories, energies and laws of its contacts.
    SPDX-License-Identifier: GPL-2.0-or-later */
 
 #include "pair_plm.h"

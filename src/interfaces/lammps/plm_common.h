@@ -1,4 +1,4 @@
-/* What fix plm/wall and pair_style plm share: units, scenarios, the start inside, the advice on the time step.
+/* Shared by fix plm/wall and pair_style plm: units, scenarios, the start inside, the advice on the time step.
    SPDX-License-Identifier: GPL-2.0-or-later */
 
 #ifndef LMP_PLM_COMMON_H
@@ -29,6 +29,12 @@ double friction_of(LAMMPS *lmp, const char *style, const char *word);
 /* True if a first overlap is no step of a motion from outside: way is that of one step, radius that of the smaller
    sphere. */
 bool starts_inside(double overlap, double way, double radius);
+
+/* The record number nth of a sphere in a restart file. A record begins with its number of doubles. */
+inline double *restart_record(double *records, int nth) {
+    for (; nth > 0; nth--) records += static_cast<int>(*records);
+    return records;
+}
 
 /* The restitution of the shortest contact and the largest loss by waves, over all ranks. */
 class Advice {

@@ -1,4 +1,4 @@
-/* What a contact of pair_style plm keeps from step to step.
+/* The history of a contact of pair_style plm, from step to step.
    SPDX-License-Identifier: GPL-2.0-or-later */
 
 #ifndef LMP_PLM_HISTORY_H
