@@ -1,9 +1,8 @@
 // Ball and dent along the trace of an impact: a drawing that plays, steps and is moved by keys. Depths are drawn larger than the ball.
 
-import { element } from "./element.js";
+import { element, svgElement } from "./element.js";
 import { quantity } from "./scale.js";
 
-const SVG = "http://www.w3.org/2000/svg";
 // The drawing: its size, the height of the surface, the radius of the ball, and the deepest dent [px].
 const [WIDTH, HEIGHT, SURFACE, BALL, DEEPEST] = [320, 190, 130, 52, 34];
 // Pictures before first contact and after separation, and how far the ball moves in each [px].
@@ -11,17 +10,11 @@ const [FLIGHT, STRIDE] = [16, 3];
 const PLAY_MS = 4000;
 const isReduced = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-function node(name, attributes) {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  return made;
-}
-
 /** Makes the animation in `place`; `moved(row)` is called with the row of the trace that is shown. */
 export function makeAnimation(place, moved) {
-  const dent = node("path", { class: "body" });
-  const ball = node("circle", { class: "ball", cx: WIDTH / 2, r: BALL });
-  const svg = node("svg", { id: "ball", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img" });
+  const dent = svgElement("path", { class: "body" });
+  const ball = svgElement("circle", { class: "ball", cx: WIDTH / 2, r: BALL });
+  const svg = svgElement("svg", { id: "ball", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img" });
   svg.append(dent, ball);
   const play = element("button", { type: "button", id: "play" }, "Play");
   const back = element("button", { type: "button", id: "step-back", ariaLabel: "One step back" }, "◂");

@@ -1,18 +1,11 @@
 // A chart that moves: curves from the numbers of the program, values under the pointer, finger or keys, and a point that may be chosen.
 
+import { svgElement } from "./element.js";
 import { makeScale, prefixed, quantity } from "./scale.js";
 
-const SVG = "http://www.w3.org/2000/svg";
 // The heights of a chart over its width, the least height, and margins in letters.
 const SHAPE = 0.62;
 const MARGIN = { left: 4.2, right: 1.2, top: 0.8, bottom: 3.2 };
-
-function node(name, attributes = {}, text = "") {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  made.textContent = text;
-  return made;
-}
 
 /**
  * Makes a chart in `place`. `draw(state)` shows a state: axes `x` and `y` with title, unit, low, high and isLog; `curves` with name,
@@ -20,7 +13,7 @@ function node(name, attributes = {}, text = "") {
  * alone. `pick(x)` is called when the user chooses a place by click, drag or Enter.
  */
 export function makeChart(place, { id, isByX, pick }) {
-  const svg = node("svg", { id, role: "img", tabindex: 0, class: pick ? "chart picks" : "chart" });
+  const svg = svgElement("svg", { id, role: "img", tabindex: 0, class: pick ? "chart picks" : "chart" });
   const read = document.createElement("output");
   read.className = "read";
   read.id = `${id}-read`;
@@ -52,22 +45,24 @@ export function makeChart(place, { id, isByX, pick }) {
   function axes(letter, height) {
     const { x, y, left, right, top, bottom } = scales;
     const [ofX, ofY] = [axisUnit(state.x), axisUnit(state.y)];
-    const made = [node("rect", { class: "area", x: left, y: top, width: right - left, height: bottom - top })];
+    const made = [svgElement("rect", { class: "area", x: left, y: top, width: right - left, height: bottom - top })];
     for (const { value, text } of ofX.ticks(x)) {
       const at = x.at(value);
-      made.push(node("line", { class: "grid", x1: at, x2: at, y1: top, y2: bottom }));
-      made.push(node("text", { class: "tick-x", x: at, y: bottom + 1.3 * letter, "text-anchor": "middle" }, text));
+      made.push(svgElement("line", { class: "grid", x1: at, x2: at, y1: top, y2: bottom }));
+      made.push(
+        svgElement("text", { class: "tick-x", x: at, y: bottom + 1.3 * letter, "text-anchor": "middle" }, text),
+      );
     }
     for (const { value, text } of ofY.ticks(y)) {
       const at = y.at(value);
-      made.push(node("line", { class: "grid", x1: left, x2: right, y1: at, y2: at }));
-      made.push(node("text", { x: left - 0.4 * letter, y: at + 0.35 * letter, "text-anchor": "end" }, text));
+      made.push(svgElement("line", { class: "grid", x1: left, x2: right, y1: at, y2: at }));
+      made.push(svgElement("text", { x: left - 0.4 * letter, y: at + 0.35 * letter, "text-anchor": "end" }, text));
     }
     const middle = (top + bottom) / 2;
     const turned = { x: 0, y: 0, "text-anchor": "middle", transform: `translate(${letter},${middle}) rotate(-90)` };
     made.push(
-      node("text", { x: (left + right) / 2, y: height - 0.5 * letter, "text-anchor": "middle" }, ofX.title),
-      node("text", turned, ofY.title),
+      svgElement("text", { x: (left + right) / 2, y: height - 0.5 * letter, "text-anchor": "middle" }, ofX.title),
+      svgElement("text", turned, ofY.title),
     );
     return made;
   }
@@ -90,13 +85,19 @@ export function makeChart(place, { id, isByX, pick }) {
     const { x, y } = scales;
     return state.curves.map(({ points, number }) => {
       const path = points.map(([a, b]) => `${x.at(a).toFixed(2)},${y.at(b).toFixed(2)}`).join(" ");
-      return node("polyline", { class: `curve c${number}`, points: path });
+      return svgElement("polyline", { class: `curve c${number}`, points: path });
     });
   }
 
   function marks() {
     return state.marks.map(({ at: [a, b], number, name }) =>
-      node("circle", { class: `mark c${number}`, cx: scales.x.at(a), cy: scales.y.at(b), r: 6, "aria-label": name }),
+      svgElement("circle", {
+        class: `mark c${number}`,
+        cx: scales.x.at(a),
+        cy: scales.y.at(b),
+        r: 6,
+        "aria-label": name,
+      }),
     );
   }
 
@@ -107,8 +108,8 @@ export function makeChart(place, { id, isByX, pick }) {
     const name = state.curves.length > 1 ? `${state.curves[cursor.curve].name}: ` : "";
     read.textContent = `${name}${state.y.title} ${quantity(b, state.y.unit)} at ${state.x.title.toLowerCase()} ${quantity(a, state.x.unit)}`;
     return [
-      node("line", { class: "hair", x1: cx, x2: cx, y1: scales.top, y2: scales.bottom }),
-      node("circle", { class: "cursor", cx, cy, r: 4 }),
+      svgElement("line", { class: "hair", x1: cx, x2: cx, y1: scales.top, y2: scales.bottom }),
+      svgElement("circle", { class: "cursor", cx, cy, r: 4 }),
     ];
   }
 
