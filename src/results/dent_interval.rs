@@ -10,8 +10,17 @@ pub struct DentInterval {
 }
 
 impl DentInterval {
-    /// Both ends of a length in words.
-    pub fn text(ends: [f64; 2]) -> String {
-        quantities(&ends, Dimension::Length).join(" to ")
+    /// Both ends of the diameter, with a unit.
+    pub fn diameter_text(&self) -> String {
+        length_range(&self.diameter)
     }
+
+    /// Both ends of the depth, with a unit.
+    pub fn depth_text(&self) -> String {
+        length_range(&self.depth)
+    }
+}
+
+fn length_range(ends: &[f64; 2]) -> String {
+    quantities(ends, Dimension::Length).join(" to ")
 }

@@ -245,7 +245,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "dent_depth_interval_m" in Length if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.depth.to_vec());
         /// This interval as text.
         "dent_depth_interval_text" briefly "({})" if PEENED_INTERVAL:
-            single.dent_interval.map(|interval| DentInterval::text(interval.depth));
+            single.dent_interval.map(DentInterval::depth_text);
         /// Dent depth in the half-space. If both bodies yield, the split between dent and flat is an estimate, validated up to a/R
         /// = 0.11.
         "dent_depth_m" in Length as "dent {}" [Flat: |row| Some(row.dent_depth())];
@@ -266,7 +266,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "dent_diameter_interval_m" in Length if PEENED_INTERVAL: single.dent_interval.map(|interval| interval.diameter.to_vec());
         /// This interval as text.
         "dent_diameter_interval_text" briefly "({})" if PEENED_INTERVAL:
-            single.dent_interval.map(|interval| DentInterval::text(interval.diameter));
+            single.dent_interval.map(DentInterval::diameter_text);
         /// Area of the dent, from the contact radius at the maximum indentation; 0 without a dent.
         "dent_area_m2" in Area [Peening: |row| row.peened.map(|peened| peened.dent_area)];
         /// Mass of a shot.
