@@ -1,5 +1,5 @@
-//! One contact as another code computed it: time, indentation and force of its steps, and what follows from them. It is no matter by which
-//! law that code computed the force: speeds are differences of the indentation, and energies are the work of the force.
+//! One contact as another code computed it: time, indentation and force of its steps, and what follows from them. The law of that code
+//! is not needed: speeds are differences of the indentation, and energies are the work of the force.
 
 mod read;
 
@@ -24,11 +24,11 @@ pub struct ContactTrace {
     pub steps: Vec<TraceStep>,
     /// The steps with a force: index of the first, and of the last.
     contact: [usize; 2],
-    /// What was assumed about the columns.
+    /// Assumptions about the columns, for the user.
     pub notes: Vec<String>,
 }
 
-/// What the other code computed.
+/// The results of the contact that the other code computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TraceMeasures {
     /// Speed into the contact \[m/s\].
@@ -57,7 +57,7 @@ pub struct TraceMeasures {
     pub first_overlap_in_steps: f64,
 }
 
-/// A force that is smaller than this fraction of the largest is none.
+/// A smaller fraction of the largest force counts as zero.
 const NO_FORCE: f64 = 1e-12;
 /// A contact with fewer steps has no speeds and no work.
 const MIN_STEPS: usize = 4;
@@ -91,7 +91,7 @@ impl TraceMeasures {
         self.made_work() || self.gained_speed()
     }
 
-    /// What is wrong with the contact, and what to do.
+    /// The faults of the contact, each with its cure.
     pub fn warnings(&self) -> Vec<String> {
         let percent = |part: f64, whole: f64| format!("{:.3} %", 100.0 * part / whole);
         let mut warnings = Vec::new();
@@ -145,7 +145,7 @@ impl ContactTrace {
         &self.steps[first.saturating_sub(1)..(last + 2).min(self.steps.len())]
     }
 
-    /// What the other code computed, for this mass of the relative motion.
+    /// The results of the other code, for this mass of the relative motion.
     pub fn measures(&self, mass: Option<f64>) -> TraceMeasures {
         let [first, last] = self.contact;
         let (steps, rows) = (&self.steps, self.contact_steps());

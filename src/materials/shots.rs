@@ -7,7 +7,7 @@ use crate::strings::csv::CsvReader;
 use crate::strings::{did_you_mean, known_names, named_enum};
 
 named_enum! {
-    /// What a shot is made of, with its name in the file.
+    /// The material of a shot, with its name in the file.
     pub enum ShotKind {
         CastSteel = "cast_steel",
         CutWire = "cut_wire",
@@ -61,7 +61,7 @@ fn read(text: &str) -> Option<Vec<Shot>> {
 /// The shot of this name. A hyphen or a blank before the number and small letters are allowed: CW-14, s 230.
 ///
 /// # Errors
-/// What is wrong, with the nearest names.
+/// A message with the nearest names.
 pub fn find_shot(name: &str) -> Result<&'static Shot, String> {
     let plain: String = name.chars().filter(|c| !['-', ' '].contains(c)).collect::<String>().to_uppercase();
     let names: Vec<&str> = all_shots().iter().map(|shot| shot.name.as_str()).collect();

@@ -1,4 +1,4 @@
-// What moves on the page: sliders, values under pointer, finger and keys, kept curves, the animation. The numbers are those of the command.
+// The moving parts of the page: sliders, values under pointer, finger and keys, kept curves, the animation. The numbers are those of the command.
 
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";

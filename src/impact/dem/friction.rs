@@ -68,7 +68,7 @@ impl Contact {
             let [radius] = self.friction_radii([step.indentation], memory);
             (radius, 1.0)
         };
-        rub(coefficient * step.force.max(0.0), self.friction_modulus * radius, share, &step.slip, history)
+        update_friction(coefficient * step.force.max(0.0), self.friction_modulus * radius, share, &step.slip, history)
     }
 
     /// [`Contact::friction`] after [`Contact::step`] changed the history `before` into `after`. `friction` is the friction on the
@@ -85,7 +85,7 @@ impl Contact {
     ) -> bool {
         match self.friction_stiffness(before, after) {
             Some([stiffness, share]) if (0.0..f64::INFINITY).contains(&coefficient) => {
-                rub(coefficient * after.force.max(0.0), stiffness, share, slip, friction)
+                update_friction(coefficient * after.force.max(0.0), stiffness, share, slip, friction)
             }
             Some(_) => false,
             None => {
@@ -100,7 +100,7 @@ impl Contact {
 /// Friction after a slip, at most `most`: `share` of it is left of a contact that has become smaller. Returns false and changes nothing
 /// if a number is NaN or infinite.
 #[inline]
-fn rub(most: f64, stiffness: f64, share: f64, slip: &[f64; 3], history: &mut [f64; 3]) -> bool {
+fn update_friction(most: f64, stiffness: f64, share: f64, slip: &[f64; 3], history: &mut [f64; 3]) -> bool {
     let (mut after, mut sum) = (*history, 0.0);
     for (force, slip) in after.iter_mut().zip(*slip) {
         *force = *force * share - stiffness * slip;

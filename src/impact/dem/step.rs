@@ -14,7 +14,7 @@ use crate::contact::law::Surface;
 use crate::impact::problem::contact::Contact;
 use crate::numerics::power::{power, work_factor};
 
-/// What a contact keeps from one time step to the next. All numbers are zero for a fresh contact.
+/// The state of a contact between two time steps. All numbers are zero for a fresh contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ContactHistory {
     pub memory: Memory,

@@ -1,9 +1,9 @@
 //! The results of an impact in a row of a table, a part of an [`Impact`](crate::impact::Impact).
 
-use crate::contact::law::{ContactState, Law};
 use std::f64::consts::PI;
 
 use crate::contact::body::{OutOfFloatRange, finite_positive};
+use crate::contact::law::{ContactState, Law};
 use crate::contact::pair::imprint_name;
 use crate::impact::oblique::Rebound;
 use crate::impact::problem::contact::{Contact, StrainRateResult};

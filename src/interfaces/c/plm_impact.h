@@ -19,7 +19,7 @@
 typedef struct plm_contact plm_contact;
 
 /**
- * What a contact keeps from one time step to the next: seven doubles, zero for a fresh contact. Set them to zero when the sphere has
+ * The state of a contact between two time steps: seven doubles, zero for a fresh contact. Set them to zero when the sphere has
  * left the surface (indentation <= 0).
  */
 typedef struct plm_history {

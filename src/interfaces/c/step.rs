@@ -6,7 +6,7 @@ use super::calls::catch_panic;
 use super::{FAILURE, SUCCESS, plm_contact};
 use crate::impact::{ContactHistory, Memory};
 
-/// What a contact keeps from one time step to the next: seven doubles, zero for a fresh contact. Set them to zero when the sphere has
+/// The state of a contact between two time steps: seven doubles, zero for a fresh contact. Set them to zero when the sphere has
 /// left the surface (indentation <= 0).
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -83,23 +83,23 @@ pub unsafe extern "C" fn plm_contact_step(
         if !contact.step(indentation, &mut after) {
             return None;
         }
-        let rubbed = match (slip, friction.as_deref()) {
+        let new_friction = match (slip, friction.as_deref()) {
             (Some(slip), Some(friction)) => {
-                let mut rubbed = *friction;
-                if !contact.friction_after_step(coefficient, &before, &after, slip, &mut rubbed) {
+                let mut new_friction = *friction;
+                if !contact.friction_after_step(coefficient, &before, &after, slip, &mut new_friction) {
                     return None;
                 }
-                Some(rubbed)
+                Some(new_friction)
             }
             _ => None,
         };
         let energy = if stored.is_some() { contact.stored_energy(&mut after) } else { 0.0 };
-        Some((after, rubbed, energy))
+        Some((after, new_friction, energy))
     };
-    let Some((after, rubbed, energy)) = catch_panic(None, step) else { return FAILURE };
+    let Some((after, new_friction, energy)) = catch_panic(None, step) else { return FAILURE };
     *history = after.into();
-    if let (Some(friction), Some(rubbed)) = (friction, rubbed) {
-        *friction = rubbed;
+    if let (Some(friction), Some(new_friction)) = (friction, new_friction) {
+        *friction = new_friction;
     }
     if let Some(stored) = stored {
         *stored = energy;

@@ -36,7 +36,7 @@ pub struct ExportArguments {
     out: Option<PathBuf>,
 }
 
-/// What `--to` may name.
+/// The targets of `--to`.
 #[derive(Debug, Clone, Copy)]
 enum Target {
     /// Lines for a code, on standard output.

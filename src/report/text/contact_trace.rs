@@ -54,7 +54,7 @@ pub fn contact_trace_text(measures: &TraceMeasures, law: Option<&Impact>) -> Str
     align_columns(&lines, |column| column == 0)
 }
 
-/// The same as JSON.
+/// These numbers as JSON.
 pub fn contact_trace_json(measures: &TraceMeasures, law: Option<&Impact>, warnings: &[String]) -> Value {
     let rows = rows(measures);
     let values = |value: &dyn Fn(&Row) -> Option<f64>| {

@@ -64,7 +64,7 @@ fn elastic_spring_between_spaces_has_unit_restitution() {
     assert!(!errors.contains("SI is assumed"), "{errors}");
 }
 
-/// A spring that is stiffer on the way out: e² = 1.2, and a fifth of the work of loading comes from nothing.
+/// A spring that is stiffer while it unloads: e² = 1.2, and a fifth of the work of loading comes from nothing.
 #[test]
 fn contact_that_makes_energy_fails() {
     let text =

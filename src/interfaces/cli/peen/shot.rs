@@ -6,7 +6,7 @@ use plm_impact::materials::{Property, find};
 
 use super::PeenArguments;
 
-/// What the scenario says of the shot.
+/// The keys of the shot in the scenario.
 #[derive(Debug, PartialEq)]
 pub struct ShotText {
     /// With its unit.

@@ -8,7 +8,7 @@ import { csvTable } from "./numbers.js";
 /** The largest number of curves that are kept: as many as have a colour. */
 export const MOST = 6;
 const FILE = "kept.csv";
-// What the table has of each curve: names of results with their units.
+// The columns of the table: names of results with their units.
 const RESULTS = ["restitution", "contact_time_s", "peak_force_N", "peak_indentation_m", "residual_indentation_m"];
 // These keys say nothing of the impact.
 const SILENT = ["output", "solver"];

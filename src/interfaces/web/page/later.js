@@ -1,4 +1,4 @@
-// What the page gets after its first result: experiments by name, fields for a table, the bench, and files for a time without a network.
+// The parts of the page that load after its first result: experiments by name, fields for a table, the bench, and files for a time without a network.
 
 import { makeBench } from "./bench.js";
 import { element } from "./element.js";

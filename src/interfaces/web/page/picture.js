@@ -29,7 +29,7 @@ export function picture(name, svg) {
   return element("figure", { id: `picture-${title.replaceAll(" ", "-")}` }, frame);
 }
 
-// What is written in a picture, without the numbers of its axes: title, names of axes and curves, values of points.
+// The words in a picture, without the numbers of its axes: title, names of axes and curves, values of points.
 function words(drawn) {
   const texts = [...drawn.querySelectorAll("text")].map((one) => one.textContent.trim());
   return texts.filter((text) => /\p{L}{2}/u.test(text));

@@ -78,7 +78,7 @@ fn turned_scene_has_turned_result() {
     }
 }
 
-/// A spin about the normal stays, and changes nothing else; a spin of 0 about the path is none, to the last bit.
+/// A spin about the normal stays, and changes nothing else; a spin of 0 about the path changes no bit.
 #[test]
 fn spin_about_normal_changes_nothing() {
     for contact in [steel(&LawChoice::default()), two_balls()] {
