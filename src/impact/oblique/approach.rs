@@ -1,6 +1,6 @@
 //! The motion of an arriving sphere.
 
-use super::motion::TangentialMotion;
+use super::tangential_motion::TangentialMotion;
 use crate::numerics::functions::{atan2, hypot, sin_cos};
 
 /// The velocity and the spin of a sphere at first contact, and its friction on the surface.

@@ -16,10 +16,10 @@
 mod approach;
 mod kinks;
 pub mod mindlin;
-mod motion;
 pub mod normal_motion;
 mod profile;
 mod slip;
+mod tangential_motion;
 
 use super::problem::contact::{Contact, shear_compliance};
 use super::problem::error::ImpactError;
@@ -31,9 +31,9 @@ use crate::contact::law::UnloadingRule;
 use crate::numerics::functions::atan2;
 pub use approach::Approach;
 use mindlin::SlipResult;
-pub use motion::{CrossMotion, TangentialMotion};
 use normal_motion::NormalMotion;
 use slip::{Slip, SlipBalance};
+pub use tangential_motion::{CrossMotion, TangentialMotion};
 
 /// The results of an oblique impact that are columns of a table. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -22,7 +22,7 @@
 //! j = m* (1/m_s + R_s²/I_s + 1/m_h + R_h²/I_h),   J = m* (s_1 − s_0)/j,   V_h = −(J/m_h) û,   Ω_h = −(R_h J/I_h) z × û,   I = (2/5) m R²
 //! ```
 
-use super::motion::{CrossMotion, TangentialMotion};
+use super::tangential_motion::{CrossMotion, TangentialMotion};
 use crate::impact::problem::contact::Contact;
 use crate::numerics::functions::hypot;
 use crate::numerics::power::nan_max;
