@@ -11,7 +11,7 @@ use std::path::Path;
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::files::create;
 use plm_impact::report::chart::PictureFormat;
-use plm_impact::report::run::{Outcome, contact_at_scenario_speed, refuse_warnings};
+use plm_impact::report::run::{Outcome, no_result_error, refuse_warnings};
 use plm_impact::scenario::Scenario;
 use plm_impact::units::format_four_digits;
 
@@ -60,7 +60,7 @@ pub fn peen(arguments: &PeenArguments) -> Result<(), Error> {
 fn limits_text(scenario: &Scenario, outcome: &Outcome) -> Result<String, Error> {
     let ratio = summary(outcome).and_then(|summary| summary["contact_radius_over_R"].as_f64());
     let Some(ratio) = ratio else { return Ok(format!("\n{NOT_CLAIMED}")) };
-    let (_, contact) = contact_at_scenario_speed(scenario)?;
+    let contact = scenario.resolve_bodies()?.1.map_err(|reason| no_result_error(scenario, &reason))?;
     Ok(format!(
         "\nThe contact radius is {} of the radius of the shot; the law is valid up to {}.\n{NOT_CLAIMED}",
         format_four_digits(ratio),
