@@ -126,7 +126,7 @@ impl Exporter<'_> {
         about.extend(self.drop_test_line());
         if let Some(StrainRateResult { strain_rate, factor, .. }) = self.impact.row.strain_rate_result {
             about.push(format!(
-                "the strength is that of the strain rate of each speed; at this one {} 1/s, where it is {} times that of the test",
+                "the strength depends on the strain rate of each speed: here {} 1/s, strength {} times the strength of the slow test",
                 format_four_digits(strain_rate),
                 format_four_digits(factor)
             ));
@@ -155,7 +155,7 @@ impl Exporter<'_> {
                 TargetCode::Chrono => "damped Hertz contact",
                 _ => "damped linear spring",
             };
-            about.push(format!("{model}: e and contact time are those of the law, the peak force is not"));
+            about.push(format!("{model} with e and contact time of the law; its peak force differs from the law"));
         }
         if self.contact.friction.is_some() && request.target.has_tangential_spring() {
             about.push(

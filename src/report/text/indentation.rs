@@ -12,6 +12,7 @@ use crate::impact::indentation::{IndentationRow, SetPoint, SpecimenResult, StepR
 use crate::results::{ResultSpec, result_specs, to_field_list, to_fields};
 use crate::scenario::Scenario;
 use crate::scenario::input::Body;
+use crate::contact::strength::kind::IMPACT_STRAINS;
 use crate::scenario::keys::interval::WHICH_STRENGTH;
 use crate::scenario::keys::{ALL_KEYS, Part, key};
 use crate::scenario::kinds::indentation::IndentationRequest;
@@ -222,7 +223,7 @@ pub fn material_notes(scenario: &Scenario, tested: &[SpecimenResult]) -> Vec<Str
     body.map(|body| {
         let key = body.yield_strength();
         format!(
-            "{WHICH_STRENGTH} Forces hold if {key} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, forces are too low and dents are too deep: scenarios/README.md#which-strength"
+            "{WHICH_STRENGTH} Forces hold if {key} is the flow stress at a plastic strain of {IMPACT_STRAINS}. If {key} is the 0.2 % proof stress of a metal that hardens, forces are too low and dents are too deep: scenarios/README.md#which-strength"
         )
     })
     .into_iter()

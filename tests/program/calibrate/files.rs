@@ -118,7 +118,7 @@ fn calibrated_scenario_keeps_comments_and_runs() {
         run_calibration(&text, &restitutions(), &["--set", "law=thornton", "--set", "sphere.radius=4 mm"], 3);
     let new = desk.read("o/calibrated.toml");
     assert!(
-        new.starts_with("# half_space.yield_strength: found by plm-impact")
+        new.starts_with("# half_space.yield_strength: fitted by plm-impact")
             && new.contains("\n# of a block\n")
             && new.contains(" # guess\n")
             && !new.contains("calibrate"),
