@@ -106,7 +106,9 @@ impl ContactTrace {
         }
         let total: f64 = steps.iter().map(|step| step.force).sum();
         if total < 0.0 {
-            notes.push("the force is negative in contact: the program treats the column as the force on the target".to_owned());
+            notes.push(
+                "the force is negative in contact: the program treats the column as the force on the target".to_owned(),
+            );
             for step in &mut steps {
                 step.force = -step.force;
             }

@@ -131,7 +131,7 @@ pub struct Impact {
     pub force_at_peak_indentation: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub peak_mean_pressure: f64,
-    /// Radius of the rim of the dent \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
+    /// Radius of the dent \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
     pub dent_radius: Option<f64>,
     pub energy: Energy,
     pub stats: SolverStats,

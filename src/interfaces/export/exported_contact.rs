@@ -46,7 +46,9 @@ impl ExportedContact {
         let speed = Some(input.speed() * cos(angle)).filter(|speed| is_single && *speed > 0.0);
         let mut left_out = omitted_parts(&input);
         let table = match kind {
-            Kind::Repeat => Some("[repeat] is not exported: the lines are for the first impact, on fresh surface".to_owned()),
+            Kind::Repeat => {
+                Some("[repeat] is not exported: the lines are for the first impact, on fresh surface".to_owned())
+            }
             Kind::Sweep | Kind::MonteCarlo => Some(first_case(&input, kind, &paths)),
             _ => None,
         };

@@ -98,7 +98,7 @@ macro_rules! measured_keys {
             #[doc = " Leeb hardness: 1000 times the restitution"]
             #[doc = $rest]
             "leeb" of Kind: Number(&$leeb);
-            #[doc = " Diameter of the rim of the dent"]
+            #[doc = " Diameter of the dent"]
             #[doc = $rest]
             "dent_diameter" of Kind: Number(&LENGTH);
             #[doc = " Depth of the dent"]

@@ -284,7 +284,8 @@ fn motion_of_scenario_is_omitted_and_named() {
     let (e, text) = of(bouncing, &[]);
     assert!((e - law((9.81_f64).sqrt())).abs() < 1e-8, "{e} {text}");
     assert!(
-        text.contains("# [repeat] is not exported: the lines are for the first impact") && text.contains("# [gravity] is not exported")
+        text.contains("# [repeat] is not exported: the lines are for the first impact")
+            && text.contains("# [gravity] is not exported")
     );
     let swept = "[impact]\nspeed = \"3 m/s\"\n[sweep]\n\"half_space.youngs_modulus\" = [\"210 GPa\", \"70 GPa\"]\n";
     let (e, text) = of(swept, &["--speed", "2 m/s"]);
