@@ -81,7 +81,7 @@ fn heights_without_air_warn_of_both_flights() {
     };
     let share = |warnings: &[String]| -> Option<f64> {
         let text = warnings.iter().find(|text| text.contains("without [air] the loss in the air"))?;
-        text.split("e is taken ").nth(1)?.split(' ').next()?.parse().ok()
+        text.split("e from the measurements is ").nth(1)?.split(' ').next()?.parse().ok()
     };
     let of_file = share(&warnings("", "data = \"d.csv\"", data)).unwrap();
     // by another way: a sphere in air of density 1.2 and drag 0.47 falls with v^2 = v_t^2 (1 - exp(-2 g h/v_t^2)), where
