@@ -129,5 +129,8 @@ fn air_warning_depends_on_effect_on_measurement() {
     let of_table_tennis = said("80", AIR, "measured.rebound_height = 0.2");
     assert!(!of_table_tennis.contains("added mass"), "{of_table_tennis}");
     let by_speeds = said("80", "", "measured.restitution = 0.6");
-    assert!(by_speeds.contains("The impact speed is too high") && !by_speeds.contains("e from the measurements"), "{by_speeds}");
+    assert!(
+        by_speeds.contains("The impact speed is too high") && !by_speeds.contains("e from the measurements"),
+        "{by_speeds}"
+    );
 }

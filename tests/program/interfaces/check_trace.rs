@@ -171,7 +171,11 @@ fn bad_traces_are_refused() {
         ("t,delta,F", "0,0,0\n1,1,0\n".into(), "contains no step with a force"),
         ("t,delta,F", twice, "has 2 contacts: lines 4 to 8, lines 12 to 13"),
         ("t,delta,F", "2,2,5\n3,3,9\n4,3,9\n5,2,5\n6,1,1\n7,0,0\n".into(), "the file begins inside of the contact"),
-        ("t,delta,F", "0,0,0\n1,1,2\n2,0,0\n".into(), "the contact has 1 steps with a force, and at least 4 are needed"),
+        (
+            "t,delta,F",
+            "0,0,0\n1,1,2\n2,0,0\n".into(),
+            "the contact has 1 steps with a force, and at least 4 are needed",
+        ),
     ];
     for (header, rows, words) in cases {
         let desk = Sandbox::with(STEEL);
