@@ -1,4 +1,3 @@
-//! Texts for the user: warnings and refusals, from the command as a process.
+//! Texts for the user: refusals of values of a wrong type.
 
 mod value_types;
-mod warnings;

@@ -17,3 +17,4 @@ pub mod series;
 pub mod strength_keys;
 pub mod units;
 pub mod warning_order;
+pub mod warnings;

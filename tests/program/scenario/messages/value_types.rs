@@ -34,7 +34,7 @@ fn read_all_parts(text: &str, change: &str) -> Result<(), Error> {
 
 #[test]
 fn no_word_of_the_parser_reaches_a_user() {
-    let types: Types = toml::from_str(include_str!("value_types.toml")).unwrap();
+    let types: Types = toml::from_str(include_str!("../value_types.toml")).unwrap();
     let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
     let mut refused = 0;
     for scene in &types.scene {
