@@ -164,8 +164,7 @@ fn read_all_parts(scenario: &Scenario) -> Result<(), Error> {
 /// A refusal of a value of a wrong type uses the words of a scenario, and not those of the parser.
 #[test]
 fn no_word_of_the_parser_reaches_a_user() {
-    let Expectations { scene: scenes, wrong_values, parser_words } =
-        Expectations::read(include_str!("../value_types.toml"));
+    let Expectations { scene: scenes, wrong_values, parser_words } = Expectations::read("value_types.toml");
     let mut refused = 0;
     for (scene, key) in scenes.iter().flat_map(|scene| scene.mistyped.iter().map(move |key| (scene, key))) {
         let mut of_key = 0;
