@@ -65,14 +65,11 @@ fn is_true(summary: &Value, entry: &str) -> bool {
 
 impl Calibration {
     fn scenario(&self, table: &Table) -> String {
-        let mut text = table.scenes[&self.scene].replace('@', env!("CARGO_MANIFEST_DIR"));
+        let text = table.scenes[&self.scene].replace('@', env!("CARGO_MANIFEST_DIR"));
         let free = self.free.iter().map(|name| format!("free = {}\n", table.free[name]));
         let data = self.data.iter().map(|_| "data = \"d.csv\"\n".to_owned());
         let lines: String = free.chain(data).chain([self.calibrate.clone()]).collect();
-        if !lines.is_empty() {
-            text += &format!("[calibrate]\n{lines}\n");
-        }
-        text
+        if lines.is_empty() { text } else { format!("{text}[calibrate]\n{lines}\n") }
     }
 
     /// What is wrong of its results.
@@ -131,7 +128,7 @@ fn calibrations_give_what_the_table_says() {
     let table = table();
     let mut wrong = Vec::new();
     for calibration in &table.calibration {
-        let words = [&calibration.summary, &calibration.printed, &calibration.warned].map(|words| words.is_empty());
+        let words = [&calibration.summary, &calibration.printed, &calibration.warned].map(Vec::is_empty);
         assert!(words.contains(&false) || calibration.files.is_some(), "{}: nothing is expected", calibration.about);
         wrong.extend(calibration.wrong(&table));
     }
