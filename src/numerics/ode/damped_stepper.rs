@@ -70,18 +70,7 @@ impl DampedStepper {
         let least = min_error_share(self.tolerance);
         let mut node = [P::y_at(begun.distance), begun.speed, begun.time, begun.loss];
         let mut rates = piece.rates(node[0], node[1]);
-        // the error control may still shrink the first step; on a short leg the force may be too weak to limit it
-        let far = if sign > 0.0 { end.min(size.max(node[0])) } else { node[0] };
-        let mut h = FIRST_STEP * pow(self.tolerance, 0.125) / P::frequency(path, far);
-        if node[1] > 0.0 && far > node[0] && end.is_infinite() {
-            h = h.min((far - node[0]) / node[1]);
-        }
-        // where the pull nearly balances the force, a swing may be smaller than the error of a step, and no step may pass it whole
-        let longest = if path.constant_acceleration > 0.0 && sign < 0.0 {
-            MAX_STEP / P::frequency(path, node[0])
-        } else {
-            f64::INFINITY
-        };
+        let [mut h, longest] = self.step_lengths::<P>(path, &node, size);
         let most = self.work.steps + self.work.rejected + MAX_STEPS;
         let mut leg = LegSteps::begin::<P>(path, &node, state, track);
         loop {
@@ -119,6 +108,19 @@ impl DampedStepper {
                 }
             }
         }
+    }
+
+    /// The first step of a leg from this node, and the longest step; `size` is the size of y.
+    fn step_lengths<P: DampedEquation>(&self, path: &LegProblem, node: &DampedState, size: f64) -> [f64; 2] {
+        let (is_loading, end) = (path.leg.direction() > 0.0, P::y_at(path.leg.end()));
+        // the error control may still shrink the first step; on a short leg the force may be too weak to limit it
+        let far = if is_loading { end.min(size.max(node[0])) } else { node[0] };
+        let first = FIRST_STEP * pow(self.tolerance, 0.125) / P::frequency(path, far);
+        let reaches_far = node[1] > 0.0 && far > node[0] && end.is_infinite();
+        let first = if reaches_far { first.min((far - node[0]) / node[1]) } else { first };
+        // where the pull nearly balances the force, a swing may be smaller than the error of a step, and no step may pass it whole
+        let may_balance = path.constant_acceleration > 0.0 && !is_loading;
+        [first, if may_balance { MAX_STEP / P::frequency(path, node[0]) } else { f64::INFINITY }]
     }
 
     /// Notes a rejected step; `h` is the length of the next one, which has to move something.

@@ -95,15 +95,13 @@ impl Plm {
     }
 
     pub fn law_for_yielding_pair(&self, bodies: &YieldingPair) -> Law {
-        self.unloading_by(self, bodies)
+        let (shallow, rule) = self.for_bodies(bodies);
+        Law::plm(shallow, rule)
     }
 
-    /// The loading of this PLM with the unloading of another one, or of itself.
+    /// The loading of this PLM with the unloading of another one.
     pub(super) fn unloading_by(&self, other: &Self, bodies: &YieldingPair) -> Law {
         let (shallow, rule) = self.for_bodies(bodies);
-        if std::ptr::eq(self, other) {
-            return Law::plm(shallow, rule);
-        }
         let (_, of_other) = other.for_bodies(bodies);
         // the approach follows from the force of shallow dents of the loading
         let depth = of_other.depth.clone().map(|depth| depth.on(&shallow));
