@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::{Contact, ImpactError, PlateError};
 use crate::scenario::Scenario;
-use crate::scenario::input::{ALTERNATIVES, Input, NUMERIC_KEYS, OBLIQUE_KEYS};
+use crate::scenario::input::{Input, NUMERIC_KEYS, OBLIQUE_KEYS, alternative_pairs};
 use crate::scenario::keys::key;
 use crate::units::format_four_digits;
 
@@ -168,7 +168,7 @@ impl Scenario {
     /// The refusals of tables of two kinds, of keys that exclude each other, of keys that need another key, and of empty tables.
     pub(in crate::scenario) fn check_combinations(&self) -> Vec<Error> {
         let mut refused: Vec<Error> = self.kind().err().into_iter().collect();
-        for [one, other] in ALTERNATIVES {
+        for [one, other] in alternative_pairs() {
             if self.is_given(one) && self.is_given(other) {
                 refused.push(self.document.refuse_both(one, other));
             }
@@ -276,11 +276,11 @@ impl Scenario {
     pub(in crate::scenario) fn conflicting_axis(&self, varied: &[&'static str]) -> Option<(&'static str, String)> {
         let varies = |path: &str| varied.contains(&path);
         // a swept diameter replaces a radius in the file
-        let pairs = ALTERNATIVES.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
+        let pairs = alternative_pairs().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
         let given = pairs.into_iter().find(|(key, other)| varies(key) && self.is_given(other));
         let refusal =
             |(key, other, is_given)| (key, format!("replaces {other}, which {is_given}. Remove one of the two."));
-        let both = || ALTERNATIVES.into_iter().find(|pair| pair.iter().all(|path| varies(path)));
+        let both = || alternative_pairs().find(|pair| pair.iter().all(|path| varies(path)));
         let given = given.map(|(key, other)| (key, other, "is also given"));
         given.or_else(|| both().map(|[other, key]| (key, other, "varies too"))).map(refusal)
     }
