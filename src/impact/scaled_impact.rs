@@ -73,7 +73,7 @@ impl Contact {
         let drag = self
             .forces()
             .damping
-            .map_or(DampingCoefficients::NONE, |damping| damping.scaled_coefficients(scales.speed));
+            .map_or(DampingCoefficients::NONE, |damping| damping.scaled_coefficients(&scales));
         let mut forces = ScaledForces { weight: weight / scales.units.force, damping: drag };
         let mut plate = None;
         if let Some(under) = self.contact_plate()? {

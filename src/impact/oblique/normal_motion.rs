@@ -26,7 +26,7 @@ pub struct NormalMotion<'a> {
     forces: ScaledForces,
     /// The times of the joints of the law, of the peak and of the end. The motion is smooth between two of them.
     pub(super) smooth_ends: Vec<f64>,
-    /// True if the stops jump at joints: under some laws, and under viscous damping, which is proportional to the root of the slope.
+    /// True if the stops jump at joints: under some laws, and under damping that depends on the slope.
     pub(super) has_limit_jumps: bool,
     /// True if the stops first grow in proportion to time.
     pub(super) is_smooth_at_touch: bool,
@@ -42,7 +42,6 @@ impl<'a> NormalMotion<'a> {
         let outcome = motion::integrate(ground, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
         let track = recorder.into_motion(ground, outcome.unloading, forces.damping);
         let durations = [outcome.loading_time, outcome.contact_time];
-        let is_viscous = forces.damping.viscous != 0.0;
         let is_published = matches!(ground.law.rule_while_loading(), UnloadingRule::Published(_));
         let is_smooth_at_touch = !is_published || ground.elastic_until() > 0.0;
         let ends = track.piece_end_times().collect();
@@ -55,7 +54,7 @@ impl<'a> NormalMotion<'a> {
             q,
             forces,
             smooth_ends: ends,
-            has_limit_jumps: is_viscous,
+            has_limit_jumps: forces.damping.acts_with_slope(),
             is_smooth_at_touch,
             durations,
         };

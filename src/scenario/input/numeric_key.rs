@@ -30,7 +30,7 @@ pub const ALTERNATIVES: [&[&str]; 6] = [
     &["sphere.yield_strength", "sphere.hardness"],
     &["half_space.yield_strength", "half_space.hardness"],
     &["impact.speed", "impact.drop_height"],
-    &["damping.hunt_crossley", "damping.viscous"],
+    &["damping.hunt_crossley", "damping.viscous", "damping.viscoelastic_time"],
 ];
 
 /// The alternatives of this key.

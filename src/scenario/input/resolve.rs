@@ -81,7 +81,9 @@ impl Input {
     pub fn forces(&self) -> Forces {
         let number = |at| self.number(at);
         let viscous = || number(key!("damping.viscous")).map(Damping::Viscous);
-        let damping = number(key!("damping.hunt_crossley")).map(Damping::HuntCrossley).or_else(viscous);
+        let viscoelastic = || number(key!("damping.viscoelastic_time")).map(Damping::Viscoelastic);
+        let hunt_crossley = number(key!("damping.hunt_crossley")).map(Damping::HuntCrossley);
+        let damping = hunt_crossley.or_else(viscous).or_else(viscoelastic);
         let plate = number(key!("half_space.thickness")).map(|thickness| Plate {
             thickness,
             edge_distance: number(key!("half_space.edge_distance")),

@@ -140,6 +140,9 @@ pub const VISCOUS: Quantity = Quantity {
     ..bounded_ratio("a fraction of critical damping", Included(0.0), Included(1000.0), "0.05")
 };
 
+/// A of a viscoelastic contact: polymers have 0.1 us to 1 ms.
+pub const VISCOELASTIC_TIME: Quantity = non_negative("a viscoelastic time", Dimension::Time, "\"1.2 us\"");
+
 pub const SHOT_SPEED: Quantity = Quantity { too_low: "an impact needs a speed. Remove this value", ..SPEED };
 /// Repeated impacts: as many as a table of some hundred megabytes has rows.
 pub const IMPACTS: Quantity = bounded_ratio("a number of impacts", Included(1.0), Included(1e6), "20");

@@ -80,6 +80,16 @@ const RULES: &[KeyRule] = &[
         reason: "elastic waves cannot be combined with [{}], because the wave loss is computed for a contact without damping. Remove this key or [{}].",
     },
     excludes(
+        &["damping.viscoelastic_time"],
+        &["half_space.thickness"],
+        "cannot be combined with {}, because both are a drag in proportion to the stiffness of the contact, and the plate would also move with the viscoelastic force. Remove one of the two.",
+    ),
+    excludes(
+        &["damping.viscoelastic_time"],
+        &["sphere.rate", "half_space.rate"],
+        "cannot be combined with {}, because the metal relaxes at maximum compression, and this drop of the force has no finite stiffness. Remove one of the two.",
+    ),
+    excludes(
         &["half_space.mass"],
         &["gravity", "repeat"],
         "a free target cannot be combined with [{}]. Remove one of the two. (A fall can be given by impact.drop_height without [gravity].)",

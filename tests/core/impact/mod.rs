@@ -19,5 +19,6 @@ pub mod steps;
 pub mod strain_rate;
 pub mod two_bodies;
 pub mod verlet;
+pub mod viscoelastic;
 pub mod waves;
 pub mod yield_point;
