@@ -82,7 +82,7 @@ impl DampingCoefficients {
     }
 
     /// κ + θ: all drag in proportion to the stiffness.
-    pub(super) fn per_slope(self) -> f64 {
+    pub(crate) fn per_slope(self) -> f64 {
         self.viscoelastic + self.plate
     }
 

@@ -145,6 +145,7 @@ impl Input {
         let is_of_impact = Body::ALL.map(|body| self.strength_kind(body) == Some(StrengthKind::Flow));
         let is_by_hardness = [0, 1].map(|place| is_by_hardness[place] && !is_of_impact[place]);
         let contact = contact.with_peening(self.peening()).with_subsurface(self.asks_for_subsurface());
+        let contact = contact.with_adhesion(self.number(key!("adhesion.work")));
         let named = MaterialNames { sphere, half_space, is_by_hardness, is_of_impact };
         Ok(contact.with_materials(named).with_rate_dependence(self.rates(), law))
     }

@@ -90,6 +90,11 @@ const RULES: &[KeyRule] = &[
         "cannot be combined with {}, because the metal relaxes at maximum compression, and this drop of the force has no finite stiffness. Remove one of the two.",
     ),
     excludes(
+        &["adhesion"],
+        &["damping.viscoelastic_time", "half_space.thickness"],
+        "cannot be combined with {}, because the loss by adhesion is known for an elastic contact on a half-space only. Remove one of the two.",
+    ),
+    excludes(
         &["half_space.mass"],
         &["gravity", "repeat"],
         "a free target cannot be combined with [{}]. Remove one of the two. (A fall can be given by impact.drop_height without [gravity].)",
@@ -126,7 +131,7 @@ const RULES: &[KeyRule] = &[
         "applies only if the sphere bounces under [gravity]. Add [gravity], or remove this key.",
     ),
     excludes(
-        &["impact", "gravity", "damping", "air"],
+        &["impact", "gravity", "damping", "adhesion", "air"],
         &["indentation"],
         "does not apply to a quasi-static [{}]. Remove one of the two.",
     ),
@@ -183,7 +188,7 @@ impl Scenario {
                 refused.push(self.document.refuse_both(one, other));
             }
         }
-        for table in ["friction", "gravity", "damping"] {
+        for table in ["friction", "gravity", "damping", "adhesion"] {
             let keys: Vec<&str> =
                 NUMERIC_KEYS.iter().map(|key| key.path()).filter(|path| path.starts_with(table)).collect();
             if self.document.contains(table) && !keys.iter().any(|path| self.document.contains(path)) {

@@ -94,6 +94,16 @@ const RULES: &[Rule] = &[
         "only drag = \"sphere\" uses a viscosity",
     ),
     keys(
+        &["adhesion.work"],
+        |facts, _| facts.kind == Kind::Repeat,
+        "the impacts of a series rebound without adhesion",
+    ),
+    keys(
+        &["adhesion.work"],
+        |facts, _| facts.kind == Kind::Calibrate,
+        "a calibration compares the restitution without adhesion",
+    ),
+    keys(
         &["half_space.edge_distance"],
         |facts, _| facts.kind != Kind::Impact,
         "only a warning of single impacts uses this key",
@@ -152,6 +162,11 @@ const RULES: &[Rule] = &[
         &[Requirement::Subsurface],
         |facts, _| facts.all(|input| input.yield_partition().is_some_and(|partition| !partition.is_half_space_alone())),
         "the stress below a dent is known only if the sphere does not yield",
+    ),
+    columns(
+        &[Requirement::Adhesion],
+        |facts, _| facts.first().number(key!("adhesion.work")).is_none(),
+        "the scenario has no [adhesion]. Add [adhesion] with work = \"0.05 J/m^2\"",
     ),
     columns(&[Requirement::Rate], |facts, _| !facts.first().has_rate(), "no strain-rate model is given"),
     columns(

@@ -1,5 +1,6 @@
 //! Tests of impacts, series and indentation.
 
+pub mod adhesion;
 pub mod deep_dents;
 pub mod flight;
 pub mod forces;

@@ -57,7 +57,7 @@ const COMPARISON_INVARIANTS: [Invariant; 18] = [
 ];
 
 /// These must occur among the scenes that have a result, each in a hundredth of them at least.
-const REQUIRED_KINDS: [&str; 20] = [
+const REQUIRED_KINDS: [&str; 21] = [
     "sphere.youngs_modulus=\"rigid\"",
     "sphere.yield_strength",
     "half_space.yield_strength",
@@ -76,6 +76,7 @@ const REQUIRED_KINDS: [&str; 20] = [
     "gravity",
     "damping.hunt_crossley",
     "damping.viscous",
+    "damping.viscoelastic_time",
     "friction",
     "earlier Some",
 ];
