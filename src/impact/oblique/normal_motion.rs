@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use super::profile::NormalState;
 use crate::contact::law::{Surface, UnloadingRule};
-use crate::impact::problem::forces::ScaledForces;
+use crate::impact::problem::forces::{ScaledForces, total_force};
 use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::impact::scaled_impact::hertz_law;
 use crate::impact::solve::motion;
@@ -12,7 +12,6 @@ use crate::impact::solve::recorder::{RecordedMotion, TracePoint, TraceRecorder};
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::ode::IntegrationError;
 use crate::numerics::ode::rk8::Rk8;
-use crate::numerics::power::nan_max;
 use crate::numerics::root::bisect;
 
 /// The normal motion of an impact.
@@ -115,8 +114,7 @@ impl<'a> NormalMotion<'a> {
         } else {
             let (branch, radius_per_slope) = &self.branch;
             let [force, slope, _] = if at.distance > 0.0 { branch.derivatives(at.distance) } else { [0.0; 3] };
-            let drag = self.forces.damping.rates_at_force(force, || slope / FORCE_FACTOR).0 * at.speed;
-            (force, nan_max(force + drag, 0.0), radius_per_slope * slope)
+            (force, total_force(self.forces.damping, force, || slope, at.speed), radius_per_slope * slope)
         };
         // on a plate the sphere is faster than the approach
         let speed = at.speed + FORCE_FACTOR * self.forces.damping.plate * force;

@@ -22,6 +22,7 @@ use crate::contact::law::unloading::OLD_PEAK_ROUNDING;
 use crate::contact::law::{Surface, Unloading};
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::numerics::ode::{DampingCoefficients, RestCriterion};
+use crate::numerics::power::nan_max;
 
 /// Damping on top of the contact law; the total contact force never pulls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -189,6 +190,23 @@ impl ScaledForces {
         let is_overdamped = self.weight > 0.0 && zeta >= 0.9;
         is_overdamped.then_some(RestCriterion { distance, tolerance, largest_speed: fast * omega * tolerance })
     }
+}
+
+/// The contact force where the law has this force and slope: with what damping adds to it, and never below 0. At separation it is zero,
+/// except for rounding.
+#[inline]
+pub(in crate::impact) fn total_force(
+    drag: DampingCoefficients,
+    force: f64,
+    slope: impl FnOnce() -> f64,
+    speed: f64,
+) -> f64 {
+    if !drag.acts_in_contact() {
+        return force;
+    }
+    // the drag is that of the deceleration g = c f
+    let per_speed = drag.rates_at_force(FORCE_FACTOR * force, || FORCE_FACTOR * slope()).0;
+    nan_max(force + per_speed / FORCE_FACTOR * speed, 0.0)
 }
 
 /// The point at which a contact carries the weight of its sphere.

@@ -133,7 +133,12 @@ mod tests {
                 leg: Leg::Loading(end),
                 error_scales: ErrorScales { distance: 1.0, speed: 1.3 },
                 constant_acceleration: 0.0,
-                drag: DampingCoefficients { viscous: eta, viscoelastic: kappa, plate: theta, ..DampingCoefficients::NONE },
+                drag: DampingCoefficients {
+                    viscous: eta,
+                    viscoelastic: kappa,
+                    plate: theta,
+                    ..DampingCoefficients::NONE
+                },
                 rest: None,
             };
             let start = MotionState { time: 0.7, distance: 0.1, speed: 1.3, loss: 0.05 };

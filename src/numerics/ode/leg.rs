@@ -101,9 +101,9 @@ impl DampingCoefficients {
     /// χ g + η √g' + κ g' and θ g': drag over speed in the contact, and on the motion.
     #[inline(always)]
     pub fn per_speed(self, force: f64, root_of_slope: f64) -> (f64, f64) {
-        let slope = root_of_slope * root_of_slope;
-        let in_contact = force * self.hunt_crossley + self.viscous * root_of_slope + self.viscoelastic * slope;
-        (in_contact, self.plate * slope)
+        let of_slope = self.viscoelastic * root_of_slope * root_of_slope;
+        let in_contact = force * self.hunt_crossley + self.viscous * root_of_slope + of_slope;
+        (in_contact, self.plate * root_of_slope * root_of_slope)
     }
 }
 

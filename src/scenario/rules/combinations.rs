@@ -95,6 +95,11 @@ const RULES: &[KeyRule] = &[
         "cannot be combined with {}, because the loss by adhesion is known for an elastic contact on a half-space only. Remove one of the two.",
     ),
     excludes(
+        &["adhesion"],
+        &["calibrate"],
+        "cannot be combined with [{}], which compares the restitution without adhesion. Remove one of the two.",
+    ),
+    excludes(
         &["half_space.mass"],
         &["gravity", "repeat"],
         "a free target cannot be combined with [{}]. Remove one of the two. (A fall can be given by impact.drop_height without [gravity].)",

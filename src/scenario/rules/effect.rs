@@ -93,19 +93,10 @@ const RULES: &[Rule] = &[
         |facts, _| facts.all(|input| input.air().is_none_or(|air| air.drag.is_some())),
         "only drag = \"sphere\" uses a viscosity",
     ),
-    keys(
-        &["adhesion.work"],
-        |facts, _| facts.kind == Kind::Repeat,
-        "the impacts of a series rebound without adhesion",
-    ),
-    keys(
-        &["adhesion.work"],
-        |facts, _| facts.kind == Kind::Calibrate,
-        "a calibration compares the restitution without adhesion",
-    ),
+    keys(&["adhesion.work"], |facts, _| facts.kind == Kind::Repeat, "the impacts of a series rebound without adhesion"),
     keys(
         &["half_space.edge_distance"],
-        |facts, _| facts.kind != Kind::Impact,
+        |facts, _| !matches!(facts.kind, Kind::Impact | Kind::Repeat),
         "only a warning of single impacts uses this key",
     ),
     keys(
@@ -257,7 +248,7 @@ impl Facts<'_> {
     }
 
     fn has_steps(&self, input: &Input) -> bool {
-        self.kind == Kind::Impact || self.kind.is_table() && input.is_integrated()
+        matches!(self.kind, Kind::Impact | Kind::Repeat) || self.kind.is_table() && input.is_integrated()
     }
 
     fn is_of_a_law(&self, path: &str) -> bool {
