@@ -121,12 +121,12 @@ const RATES: Table = &[
 const GRAVITIES: Table = &[(2, &[]), (1, &[("gravity.acceleration", Decades(-6.0, 2.0), YieldGravity)])];
 /// Damping, a plate or elastic waves: from hardly any to what leaves next to nothing.
 const DRAGS: Table = &[
-    (11, &[]),
-    (4, &[DENSITY]),
-    (3, &[("damping.hunt_crossley", Decades(-4.0, 1.0), PerSpeed)]),
-    (2, &[("damping.viscous", Decades(-4.0, 0.5), Si)]),
+    (5, &[]),
+    (2, &[DENSITY]),
+    (1, &[("damping.hunt_crossley", Decades(-4.0, 1.0), PerSpeed)]),
+    (1, &[("damping.viscous", Decades(-4.0, 0.5), Si)]),
     (1, &[("damping.viscoelastic_time", Decades(-4.0, 0.3), ImpactTime)]),
-    (3, &[("half_space.thickness", Decades(-0.5, 1.5), Radius), DENSITY]),
+    (1, &[("half_space.thickness", Decades(-0.5, 1.5), Radius), DENSITY]),
 ];
 /// The whole range, and its edges: at first yield and just beside it, next to nothing, and at rest.
 const SPEEDS: Table = &[
