@@ -14,7 +14,7 @@ use crate::contact::strength::flow_curve::FlowCurve;
 use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::impact::solve::closed_form;
 use crate::impact::solve::closed_form::solve_energy_balance;
-use crate::impact::{Contact, Damping, ImpactError, Method, ScaledForces, ScaledResult, Solver, solve};
+use crate::impact::{Contact, ImpactError, Method, ScaledForces, ScaledResult, Solver, solve};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::pow;
 use crate::numerics::ode::DampingCoefficients;
@@ -104,7 +104,10 @@ fn user_problems() -> Result<[BenchProblem; 3], ImpactError> {
         "PLM, steel sphere of 5 mm radius at 3 m/s on a half-space that hardens with the power 0.2 of the strain";
     let hardened = BenchProblem { name: "hardened", description: about, law, speed, forces: ScaledForces::NONE, exact };
     let (law, speed) = steel_ball(None, 3.0)?;
-    let forces = ScaledForces { damping: Damping::Viscous(0.1).scaled_coefficients(1.0), ..ScaledForces::NONE };
+    let forces = ScaledForces {
+        damping: DampingCoefficients { viscous: 0.2, ..DampingCoefficients::NONE },
+        ..ScaledForces::NONE
+    };
     let solver = Solver { method: Method::Rk8, tolerance: 1e-14, ..Solver::default() };
     let exact = solve(&law, speed, &forces, None, &solver, None)?.outcome;
     let about = "PLM, steel sphere of 5 mm radius on steel at 3 m/s, with a tenth of critical viscous damping";

@@ -30,6 +30,7 @@ pub use dem::force::{ContactEnergy, Memory};
 pub use dem::friction::FrictionStep;
 pub use dem::step::ContactHistory;
 pub use oblique::{Approach, CrossMotion, FrictionState, ObliqueResult, Rebound, TangentialMotion};
+pub use problem::adhesion::AdhesionResult;
 pub use problem::contact::{Contact, MaterialNames, StrainRateResult};
 pub use problem::error::ImpactError;
 pub use problem::forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces};

@@ -70,10 +70,8 @@ impl Contact {
         if self.forces().is_none() {
             return Ok(ScaledImpact { scales, ground, q, forces: ScaledForces::NONE, plate: None });
         }
-        let drag = self
-            .forces()
-            .damping
-            .map_or(DampingCoefficients::NONE, |damping| damping.scaled_coefficients(scales.speed));
+        let drag =
+            self.forces().damping.map_or(DampingCoefficients::NONE, |damping| damping.scaled_coefficients(&scales));
         let mut forces = ScaledForces { weight: weight / scales.units.force, damping: drag };
         let mut plate = None;
         if let Some(under) = self.contact_plate()? {

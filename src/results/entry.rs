@@ -68,6 +68,8 @@ pub enum Requirement {
     StruckCross,
     /// Gravity or a drop height: without them the flight is not determined.
     Flight,
+    /// The work of adhesion.
+    Adhesion,
     /// The table of shot peening.
     Peening,
     /// The mass flow and the area of shot peening.
@@ -107,6 +109,7 @@ impl Requirement {
                 row.rebound.is_some_and(|after| after.target.is_some_and(|ball| ball.cross.is_some()))
             }),
             Self::Flight => (FLIES, |_, row| row.rebound_height.is_some()),
+            Self::Adhesion => (ADHERES, |_, row| row.adhesion.is_some()),
             Self::Peening => (PEENS, |_, row| row.peened.is_some()),
             Self::MassFlow => {
                 (PEENS_WITH_FLOW, |_, row| row.peened.is_some_and(|peened| peened.request.mass_flux.is_some()))
@@ -165,6 +168,7 @@ pub(crate) const STRUCK: &str = "the target is a second ball, and the impact is 
 pub(crate) const STRUCK_CROSS: &str =
     "the target is a second ball, and the sphere has a spin about its path or about the normal";
 pub(crate) const FLIES: &str = "the scenario has gravity or a drop height";
+pub(crate) const ADHERES: &str = "the scenario has `[adhesion]`, and the sphere arrives with a speed";
 pub(crate) const PEENS: &str = "the scenario has `[peening]`";
 pub(crate) const PEENED_INTERVAL: &str = "the scenario has `[peening]`, and the interval of e is known";
 pub(crate) const PEENS_WITH_FLOW: &str = "`[peening]` gives mass flow and area";
@@ -176,7 +180,7 @@ pub(crate) const FORCES: &str = "the scenario has gravity, damping or a plate";
 pub(crate) const PLATE: &str = "the target is a plate";
 pub(crate) const GRAVITY: &str = "the scenario has gravity";
 pub(crate) const DAMPING: &str = "the scenario has damping";
-pub(crate) const VISCOUS: &str = "the scenario has viscous damping";
+pub(crate) const VISCOUS: &str = "the scenario has viscous damping or a viscoelastic time";
 pub const TABLES: &str = "in tables only";
 pub(crate) const OUTSIDE: &str = "the table has such rows";
 pub(crate) const RANDOM: &str = "the cases are random";

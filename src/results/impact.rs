@@ -147,6 +147,12 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "wave_loss_fraction" in Percent as "wave loss" [Density: |row| row.wave_loss_fraction];
         /// Restitution reduced by the energy of elastic waves; 0 if the waves would absorb all recovered energy.
         "restitution_with_waves" briefly "restitution with waves" [Density: ImpactRow::restitution_with_waves];
+        /// Speed at which an elastic sphere would stick, if it unloads as this contact does: a sphere sticks if its rebound without
+        /// adhesion is slower. In a dent the contact is flatter, and this speed is higher.
+        "sticking_speed_m_per_s" in Speed as "sticking speed" [Adhesion: |row| row.adhesion.map(|adhesion| adhesion.sticking_speed)];
+        /// Restitution reduced by the work of adhesion, and by elastic waves if the half-space has a density; 0 for a sphere that
+        /// sticks.
+        "restitution_with_adhesion" as "restitution with adhesion" [Adhesion: |row| row.adhesion.map(|adhesion| adhesion.restitution)];
         /// Normal speed of the sphere at separation; negative if the sphere continues in the direction of the impact (free target).
         "rebound_speed_m_per_s" in Speed as "rebound speed": single.impact.rebound_speed;
         /// Speed of the target after the impact, in the direction of the impact.

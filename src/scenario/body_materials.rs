@@ -2,7 +2,7 @@
 
 use super::Scenario;
 use super::document::Document;
-use super::input::{Body, BodyMaterial, Input, NumericKey, alternative_to};
+use super::input::{Body, BodyMaterial, Input, NumericKey, alternatives_to};
 use super::keys::{ALL_KEYS, KeyId, KeySpec, NUMBER, Part, body_key, key};
 use super::plan::varied::VariedKeys;
 use crate::contact::law::LawChoice;
@@ -95,7 +95,7 @@ impl VariedKeys {
             Part::Rate => takes_rate_from_material(input, body),
             _ => true,
         };
-        is_used && !is_given(key.path) && !alternative_to(key.path).is_some_and(is_given)
+        is_used && !is_given(key.path) && !alternatives_to(key.path).any(is_given)
     }
 }
 

@@ -147,7 +147,7 @@ impl Scenario {
     /// the cases of a table. If the table is missing, its keys are not reported.
     fn missing_keys(&self, keys: &[&'static str]) -> Vec<Error> {
         let group = |key: &&'static str| {
-            ALTERNATIVES.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
+            ALTERNATIVES.iter().find(|group| group[0] == *key).map_or_else(|| vec![*key], |group| group.to_vec())
         };
         let (mut missing, mut tables) = (Vec::new(), Vec::new());
         for group in

@@ -30,6 +30,7 @@ pub fn no_result_error(scenario: &Scenario, reason: &ImpactError) -> Error {
         ImpactError::Hollow(_) => "half_space.radius",
         ImpactError::FreeUnderGravity | ImpactError::NoBall => "half_space.mass",
         ImpactError::NoClosedForm => "solver.method",
+        ImpactError::ViscoelasticRate => "damping.viscoelastic_time",
         ImpactError::SmallInertia { .. } => "sphere.moment_of_inertia",
         ImpactError::TooDeep { .. } => {
             speeds.into_iter().find(|key| scenario.document.contains(key)).unwrap_or(speeds[0])

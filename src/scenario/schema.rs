@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::Kind;
 use super::input::read_input::POINT;
-use super::input::{ALTERNATIVES, Body, NUMERIC_KEYS};
+use super::input::{Body, NUMERIC_KEYS, alternative_pairs};
 use super::keys::words::{MATERIAL_DISTRIBUTIONS, MATERIALS, METHODS, SCALES};
 use super::keys::{ALL_KEYS, Quantity, ValueForm, WordList};
 use crate::contact::law::LawChoice;
@@ -31,7 +31,7 @@ pub fn schema() -> Value {
     root["title"] = json!("Scenario of plm-impact");
     root["properties"]["law"]["minProperties"] = json!(1);
     root["properties"]["law"]["maxProperties"] = json!(1);
-    for [one, other] in ALTERNATIVES {
+    for [one, other] in alternative_pairs() {
         let (Some((table, one)), Some((_, other))) = (one.split_once('.'), other.split_once('.')) else { continue };
         let pairs = &mut root["properties"][table]["allOf"];
         let mut all = pairs.as_array().cloned().unwrap_or_default();

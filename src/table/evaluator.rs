@@ -42,11 +42,12 @@ impl From<ImpactError> for RowFailure {
     fn from(error: ImpactError) -> Self {
         match error {
             ImpactError::Range(_) | ImpactError::Invalid(_) => Self::OutOfFloatRange,
-            // the scenario refuses a target under gravity, and one at an angle that is no ball
+            // the scenario refuses a target under gravity, one at an angle that is no ball, and a viscoelastic contact with a strain rate
             ImpactError::Law(_)
             | ImpactError::TooDeep { .. }
             | ImpactError::Hollow(_)
             | ImpactError::FreeUnderGravity
+            | ImpactError::ViscoelasticRate
             | ImpactError::NoBall => Self::OutsideLaw,
             ImpactError::SmallInertia { .. } => Self::SmallInertia,
             ImpactError::Plate(_) => Self::OutsidePlate,

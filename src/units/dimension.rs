@@ -37,6 +37,7 @@ dimensions! {
     Force: "a force", "N", "_N", "\"1 kN\"";
     Energy: "an energy", "J", "_J", "\"1 mJ\"";
     Stiffness: "a stiffness", "N/m", "_N_per_m", "\"1 kN/m\"";
+    SurfaceEnergy: "an energy per area", "J/m^2", "_J_per_m2", "\"0.05 J/m^2\"";
     Angle: "an angle", "rad", "_rad", "\"30 deg\"";
     AngularSpeed: "an angular speed", "rad/s", "_rad_per_s", "\"100 rad/s\"";
     StrainRate: "a rate", "1/s", "_per_s", "\"1 1/s\"";
@@ -49,6 +50,11 @@ impl Dimension {
     /// With the article, for messages.
     pub fn name(self) -> &'static str {
         self.spec()[0]
+    }
+
+    /// True if units of the other dimension measure this dimension too: N/m is J/m².
+    pub(super) fn has_units_of(self, other: Self) -> bool {
+        self == other || self == Self::SurfaceEnergy && other == Self::Stiffness
     }
 
     /// The SI unit, empty for a plain number.

@@ -99,7 +99,7 @@ pub fn parse_named(text: &str, dimension: Dimension, name: &str, example: &str) 
         return of_inches.ok_or_else(no_inches);
     }
     match SPELLINGS.get(&normalise_unit(unit)) {
-        Some(unit) if unit.dimension == dimension => unit.scale.to_si(number).ok_or_else(no_number),
+        Some(unit) if dimension.has_units_of(unit.dimension) => unit.scale.to_si(number).ok_or_else(no_number),
         Some(other) => {
             let found = other.dimension.name();
             Err(format!("\"{text}\" is {found}, but {} is needed, such as {}", dimension.name(), dimension.example()))

@@ -31,7 +31,7 @@ const fn input_unit(name: &'static str, dimension: Dimension, scale: UnitScale) 
 
 use Dimension::{
     Acceleration, Angle, AngularSpeed, Area, ArealMass, ArealNumber, Density, Energy, Force, InverseSpeed, Length,
-    Mass, MassFlow, MomentOfInertia, Pressure, Ratio, Speed, Stiffness, StrainRate, Time, Viscosity,
+    Mass, MassFlow, MomentOfInertia, Pressure, Ratio, Speed, Stiffness, StrainRate, SurfaceEnergy, Time, Viscosity,
 };
 
 pub(super) const UNITS: &[Unit] = &[
@@ -138,6 +138,11 @@ pub(super) const UNITS: &[Unit] = &[
     display_unit("kN/m", Stiffness, 3),
     input_unit("N/mm", Stiffness, UnitScale::PowerOfTen(3)),
     display_unit("MN/m", Stiffness, 6),
+    display_unit("mJ/m^2", SurfaceEnergy, -3),
+    input_unit("mN/m", SurfaceEnergy, UnitScale::PowerOfTen(-3)), // as surface tensions are written
+    input_unit("dyn/cm", SurfaceEnergy, UnitScale::PowerOfTen(-3)),
+    input_unit("erg/cm^2", SurfaceEnergy, UnitScale::PowerOfTen(-3)),
+    display_unit("J/m^2", SurfaceEnergy, 0),
     input_unit("deg", Angle, UnitScale::Factor(std::f64::consts::PI / 180.0)),
     input_unit("°", Angle, UnitScale::Factor(std::f64::consts::PI / 180.0)),
     display_unit("rad", Angle, 0),

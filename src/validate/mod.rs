@@ -23,6 +23,7 @@ mod quasi_static;
 mod rate;
 pub mod report;
 mod residual;
+mod viscoelastic;
 mod yielding;
 
 use crate::contact::law::PlmCoefficients;
@@ -51,6 +52,7 @@ const SOURCES: &[ComparisonFn] = &[
     yielding::equal_balls,
     bounces::bounce_heights,
     oblique::rebounds,
+    viscoelastic::restitutions,
     measured::comparisons,
 ];
 

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use super::profile::NormalState;
 use crate::contact::law::{Surface, UnloadingRule};
-use crate::impact::problem::forces::ScaledForces;
+use crate::impact::problem::forces::{ScaledForces, total_force};
 use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::impact::scaled_impact::hertz_law;
 use crate::impact::solve::motion;
@@ -12,7 +12,6 @@ use crate::impact::solve::recorder::{RecordedMotion, TracePoint, TraceRecorder};
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::ode::IntegrationError;
 use crate::numerics::ode::rk8::Rk8;
-use crate::numerics::power::nan_max;
 use crate::numerics::root::bisect;
 
 /// The normal motion of an impact.
@@ -26,7 +25,7 @@ pub struct NormalMotion<'a> {
     forces: ScaledForces,
     /// The times of the joints of the law, of the peak and of the end. The motion is smooth between two of them.
     pub(super) smooth_ends: Vec<f64>,
-    /// True if the stops jump at joints: under some laws, and under viscous damping, which is proportional to the root of the slope.
+    /// True if the stops jump at joints: under some laws, and under damping that depends on the slope.
     pub(super) has_limit_jumps: bool,
     /// True if the stops first grow in proportion to time.
     pub(super) is_smooth_at_touch: bool,
@@ -42,7 +41,6 @@ impl<'a> NormalMotion<'a> {
         let outcome = motion::integrate(ground, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
         let track = recorder.into_motion(ground, outcome.unloading, forces.damping);
         let durations = [outcome.loading_time, outcome.contact_time];
-        let is_viscous = forces.damping.viscous != 0.0;
         let is_published = matches!(ground.law.rule_while_loading(), UnloadingRule::Published(_));
         let is_smooth_at_touch = !is_published || ground.elastic_until() > 0.0;
         let ends = track.piece_end_times().collect();
@@ -55,7 +53,7 @@ impl<'a> NormalMotion<'a> {
             q,
             forces,
             smooth_ends: ends,
-            has_limit_jumps: is_viscous,
+            has_limit_jumps: forces.damping.acts_with_slope(),
             is_smooth_at_touch,
             durations,
         };
@@ -116,8 +114,7 @@ impl<'a> NormalMotion<'a> {
         } else {
             let (branch, radius_per_slope) = &self.branch;
             let [force, slope, _] = if at.distance > 0.0 { branch.derivatives(at.distance) } else { [0.0; 3] };
-            let drag = self.forces.damping.rates_at_force(force, || slope / FORCE_FACTOR).0 * at.speed;
-            (force, nan_max(force + drag, 0.0), radius_per_slope * slope)
+            (force, total_force(self.forces.damping, force, || slope, at.speed), radius_per_slope * slope)
         };
         // on a plate the sphere is faster than the approach
         let speed = at.speed + FORCE_FACTOR * self.forces.damping.plate * force;

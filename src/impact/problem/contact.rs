@@ -83,6 +83,8 @@ pub struct Contact {
     moment_of_inertia: Option<f64>,
     /// The materials of the bodies, if they are named.
     pub(in crate::impact) material_names: MaterialNames,
+    /// w \[J/m²\], if the restitution with adhesion is asked for.
+    pub(in crate::impact) adhesion_work: Option<f64>,
     /// The request of shot peening.
     pub(in crate::impact) peening: Option<Peening>,
     /// True if the plastic zone and the residual stress below the dent are asked for.
@@ -148,6 +150,7 @@ impl Contact {
             waves,
             moment_of_inertia: None,
             material_names: MaterialNames::default(),
+            adhesion_work: None,
             peening: None,
             has_subsurface: false,
         })
@@ -203,6 +206,18 @@ impl Contact {
     /// Largest contact radius over the radius of the smaller body up to which the law is validated.
     pub fn max_radius_ratio(&self) -> f64 {
         self.law.validity.max_radius_ratio
+    }
+
+    /// Returns this contact with a work of adhesion \[J/m²\], from which the restitution with adhesion follows.
+    #[inline]
+    pub fn with_adhesion(mut self, work: Option<f64>) -> Self {
+        self.adhesion_work = work;
+        self
+    }
+
+    /// The work of adhesion \[J/m²\], if it is given.
+    pub fn adhesion_work(&self) -> Option<f64> {
+        self.adhesion_work
     }
 
     /// Returns this contact with results of shot peening.

@@ -73,6 +73,11 @@ pub enum ImpactError {
         "an oblique impact on a free target requires a ball. Write half_space.mass = \"ball\", or remove impact.angle and the spin of the sphere."
     )]
     NoBall,
+    /// The metal relaxes at maximum compression, and its force drops at once.
+    #[error(
+        "damping.viscoelastic_time cannot be combined with a strain-rate dependence, because the metal relaxes at maximum compression, and this drop of the force has no finite stiffness. Remove one of the two."
+    )]
+    ViscoelasticRate,
     /// An impact on this plate is not possible.
     #[error(transparent)]
     Plate(#[from] PlateError),

@@ -1,10 +1,10 @@
 //! The forces in addition to the contact law: gravity, damping and a plate that bends. A scene has only the forces that it names.
 //!
 //! The sphere moves by m δ'' = −F_c + m g. The contact force F_c is the F of the law without damping, and otherwise follows
-//! [`Damping`]. The contact never pulls. So under viscous damping the sphere separates where F_c vanishes, above the bottom of its
-//! dent, also at ζ ≥ 1. The elastic energy that the contact still holds there is reported. k_t jumps at the knots of a law, and
-//! so does the viscous force. With damping the peak force comes before maximum compression; the integration locates it as an
-//! event.
+//! [`Damping`]. The contact never pulls. So under viscous damping, and in a viscoelastic contact, the sphere separates where F_c
+//! vanishes, above the bottom of its dent, also at ζ ≥ 1. The elastic energy that the contact still holds there is reported. k_t jumps
+//! at the knots of a law, and so does a damping force that depends on k_t. With damping the peak force comes before maximum
+//! compression; the integration locates it as an event.
 //!
 //! A sphere that the recovered work cannot lift out of its dent is captured: e = 0, and there is no contact time. Without
 //! damping this is so where F_m ≤ (n + 1) m g. A sphere let go at first contact is always captured, because it has no kinetic
@@ -16,12 +16,13 @@
 //! a slow sphere to hundreds of times its speed, and the error of the first step grows with the speed.
 
 use super::plate::Plate;
-use super::scales::FORCE_FACTOR;
+use super::scales::{FORCE_FACTOR, Scales};
 use crate::contact::body::InvalidInput;
 use crate::contact::law::unloading::OLD_PEAK_ROUNDING;
 use crate::contact::law::{Surface, Unloading};
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::numerics::ode::{DampingCoefficients, RestCriterion};
+use crate::numerics::power::nan_max;
 
 /// Damping on top of the contact law; the total contact force never pulls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,15 +32,30 @@ pub enum Damping {
     /// F + 2 ζ √(m k_t) δ', with the tangent stiffness k_t = dF/dδ of the current branch and ζ \[1\], ≥ 0, the fraction of
     /// critical damping (on a Hertz contact this is the δ^¼ of Tsuji, Tanaka and Ishida 1992).
     Viscous(f64),
+    /// F + A k_t δ', with the tangent stiffness k_t and a time A \[s\], ≥ 0: viscoelastic bodies (Kuwabara and Kono 1987; Brilliantov
+    /// et al. 1996). On a Hertz contact it is (4/3) E* √R (δ^(3/2) + (3/2) A √δ δ'). To first order in A
+    ///
+    /// ```text
+    /// e = 1 − 1.15344 a,   a = (3/2) A v/L,   L = (m v²/((4/3) E* √R))^(2/5)
+    /// ```
+    Viscoelastic(f64),
 }
 
 impl Damping {
-    /// The resistance in the units of an impact whose unit of speed is `speed` \[m/s\].
-    pub fn scaled_coefficients(self, speed: f64) -> DampingCoefficients {
+    /// The resistance in the units of an impact.
+    pub fn scaled_coefficients(self, scales: &Scales) -> DampingCoefficients {
+        let none = DampingCoefficients::NONE;
         match self {
-            Self::HuntCrossley(chi) => DampingCoefficients { hunt_crossley: chi * speed, ..DampingCoefficients::NONE },
-            Self::Viscous(zeta) => DampingCoefficients { viscous: 2.0 * zeta, ..DampingCoefficients::NONE },
+            Self::HuntCrossley(chi) => DampingCoefficients { hunt_crossley: chi * scales.speed, ..none },
+            Self::Viscous(zeta) => DampingCoefficients { viscous: 2.0 * zeta, ..none },
+            Self::Viscoelastic(time) => DampingCoefficients { viscoelastic: time / scales.time(), ..none },
         }
+    }
+
+    /// χ, ζ or A.
+    fn constant(self) -> f64 {
+        let (Self::HuntCrossley(constant) | Self::Viscous(constant) | Self::Viscoelastic(constant)) = self;
+        constant
     }
 }
 
@@ -69,6 +85,7 @@ impl Forces {
             None => Ok(()),
             Some(Damping::HuntCrossley(chi)) => check("damping of Hunt and Crossley (s/m)", chi),
             Some(Damping::Viscous(zeta)) => check("viscous damping", zeta),
+            Some(Damping::Viscoelastic(time)) => check("viscoelastic time (s)", time),
         }
     }
 
@@ -79,8 +96,7 @@ impl Forces {
 
     /// True if damping or a plate absorbs energy.
     pub(crate) fn has_dissipation(&self) -> bool {
-        self.plate.is_some()
-            || self.damping.is_some_and(|damping| damping.scaled_coefficients(1.0) != DampingCoefficients::NONE)
+        self.plate.is_some() || self.damping.is_some_and(|damping| damping.constant() != 0.0)
     }
 }
 
@@ -165,15 +181,32 @@ impl ScaledForces {
     /// enough: its speed is at most the faster of the two decay rates times the remaining distance.
     pub(in crate::impact) fn rest_criterion(&self, point: &StaticEquilibrium, distance: f64) -> Option<RestCriterion> {
         let omega = (FORCE_FACTOR * point.slope).sqrt();
-        let DampingCoefficients { hunt_crossley: chi, viscous: eta, plate: theta } = self.damping;
+        let DampingCoefficients { hunt_crossley: chi, viscous: eta, viscoelastic: kappa, plate: theta } = self.damping;
         // the fraction of critical damping of small oscillations
-        let zeta = 0.5 * (FORCE_FACTOR * self.weight * chi / omega + eta + theta * omega);
+        let zeta = 0.5 * (FORCE_FACTOR * self.weight * chi / omega + eta + (kappa + theta) * omega);
         let tolerance = CREEP_TOLERANCE * point.distance;
         // from ζ = 0.9 on every half oscillation is below e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
         let is_overdamped = self.weight > 0.0 && zeta >= 0.9;
         is_overdamped.then_some(RestCriterion { distance, tolerance, largest_speed: fast * omega * tolerance })
     }
+}
+
+/// The contact force where the law has this force and slope: with what damping adds to it, and never below 0. At separation it is zero,
+/// except for rounding.
+#[inline]
+pub(in crate::impact) fn total_force(
+    drag: DampingCoefficients,
+    force: f64,
+    slope: impl FnOnce() -> f64,
+    speed: f64,
+) -> f64 {
+    if !drag.acts_in_contact() {
+        return force;
+    }
+    // the drag is that of the deceleration g = c f
+    let per_speed = drag.rates_at_force(FORCE_FACTOR * force, || FORCE_FACTOR * slope()).0;
+    nan_max(force + per_speed / FORCE_FACTOR * speed, 0.0)
 }
 
 /// The point at which a contact carries the weight of its sphere.

@@ -1,5 +1,6 @@
-//! The definition of an impact: contact, scales, forces, plate, waves, strain rate, errors.
+//! The definition of an impact: contact, scales, forces, adhesion, plate, waves, strain rate, errors.
 
+pub mod adhesion;
 pub mod contact;
 pub(in crate::impact) mod error;
 pub mod forces;

@@ -22,6 +22,7 @@ use std::sync::Arc;
 
 use super::contact::{Contact, RateDependence, StrainRateResult};
 use super::error::ImpactError;
+use super::forces::Damping;
 use super::scales::{Scales, kinetic_energy};
 use crate::contact::body::OutOfFloatRange;
 use crate::contact::law::{LawChoice, Surface, YieldingPair};
@@ -89,6 +90,9 @@ impl Contact {
 
     #[cold]
     fn solve_rate(&self, rates: &RateDependence, speed: f64) -> Result<Self, ImpactError> {
+        if let Some(Damping::Viscoelastic(_)) = self.forces().damping {
+            return Err(ImpactError::ViscoelasticRate);
+        }
         let Some(point) = self.pair().yield_point else { return self.with_factors(rates, 1.0) };
         let (w, factor) = self.loading_factor(rates, &point.yield_partition, speed)?;
         let factor_at_peak = rates.factor(&point.yield_partition, RATE_SHARES[1] * w);

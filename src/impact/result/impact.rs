@@ -65,8 +65,9 @@ pub struct ForcesResult {
     pub static_indentation: Option<f64>,
     /// Energy absorbed by damping \[J\] until separation, or until the end of the run of a captured sphere.
     pub damping_loss: Option<f64>,
-    /// Elastic energy left \[J\] if the sphere separates before the contact has recovered, as under viscous damping. No force is
-    /// left then, so the damping of the contact absorbs this energy afterwards. `None` if the contact has recovered by rule.
+    /// Elastic energy left \[J\] if the sphere separates before the contact has recovered, as under viscous damping and in a viscoelastic
+    /// contact. No force is left then, so the damping of the contact absorbs this energy afterwards. `None` if the contact has recovered
+    /// by rule.
     pub stored_at_separation: Option<f64>,
     /// Kinetic and elastic energy \[J\] where the run of a captured sphere ends.
     pub remaining_energy: Option<f64>,

@@ -6,6 +6,7 @@ use crate::contact::body::{OutOfFloatRange, finite_positive};
 use crate::contact::law::{ContactState, Law};
 use crate::contact::pair::imprint_name;
 use crate::impact::oblique::Rebound;
+use crate::impact::problem::adhesion::AdhesionResult;
 use crate::impact::problem::contact::{Contact, StrainRateResult};
 use crate::impact::problem::error::ImpactError;
 use crate::impact::problem::forces::ScaledForces;
@@ -51,6 +52,9 @@ pub struct ImpactRow {
     /// Fraction of the energy that is radiated as elastic waves \[1\], to first order and without gravity. `None` if the density of the
     /// half-space is not known, under damping or on a plate, and for a sphere that does not separate.
     pub wave_loss_fraction: Option<f64>,
+    /// The result with adhesion. `None` without a work of adhesion, for a sphere released at rest, in a viscoelastic contact and on a
+    /// plate.
+    pub adhesion: Option<AdhesionResult>,
     pub plate: Option<PlateResult>,
     /// Strain rate and factors of strength; `None` without a strain-rate dependence, and for an impact that turned in a dent.
     pub strain_rate_result: Option<StrainRateResult>,
@@ -189,7 +193,7 @@ impl ImpactRow {
         case: &ScaledImpact,
         outcome: &ScaledResult,
     ) -> Result<Self, ImpactError> {
-        let ScaledImpact { scales, ground, .. } = case;
+        let ScaledImpact { scales, ground, forces, .. } = case;
         let ScaledResult { restitution, .. } = *outcome;
         let separates = outcome.end == ImpactEnd::Separated;
         let kinetic_in = kinetic_energy_in(contact, speed)?;
@@ -219,6 +223,14 @@ impl ImpactRow {
             kinetic_in,
             plastic_fraction,
             wave_loss_fraction,
+            adhesion: contact.adhesion_work.filter(|_| kinetic_in > 0.0 && forces.damping.per_slope() == 0.0).map(
+                |work| {
+                    let dent = ground.deepest_state(&peak);
+                    let rebound = wave_loss_fraction
+                        .map_or(restitution, |loss| waves::restitution_with_waves(restitution, loss));
+                    contact.adhesion_result(work, [speed, rebound], (residual > 0.0).then_some(&dent))
+                },
+            ),
             plate: PlateResult::from_scaled(case, outcome, contact_time),
             target_speed: contact.speeds_after(speed, restitution).1,
             rebound_height: rebound_height(contact, speed, restitution, wave_loss_fraction).filter(|_| separates),

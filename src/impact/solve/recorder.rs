@@ -2,9 +2,8 @@
 //! computes the points from them. A leg is the motion along one piece of the loading curve, or along the unloading branch.
 
 use crate::contact::law::{ContactState, Surface, Unloading};
-use crate::impact::problem::scales::FORCE_FACTOR;
+use crate::impact::problem::forces::total_force;
 use crate::numerics::ode::{DampingCoefficients, DenseOutput, MotionState};
-use crate::numerics::power::nan_max;
 use crate::numerics::root::illinois;
 
 /// The events of an impact that a trace marks, in their order of time.
@@ -46,9 +45,7 @@ impl TracePoint {
         at: &MotionState,
         event: Option<Event>,
     ) -> Self {
-        let of_drag = || drag.rates_at_force(state.force, || slope() / FORCE_FACTOR).0 * at.speed;
-        // at separation the total force is zero, except for rounding
-        let total_force = if drag.acts_in_contact() { nan_max(state.force + of_drag(), 0.0) } else { state.force };
+        let total_force = total_force(drag, state.force, slope, at.speed);
         Self { at: *at, state, total_force, is_unloading: false, event }
     }
 

@@ -15,7 +15,6 @@ use crate::impact::problem::contact::Contact;
 use crate::impact::problem::plate::{Plate, PlateTheory};
 use crate::impact::result::row::{ImpactRow, PlateResult};
 use crate::impact::result::warning::{Warning, WarningKind};
-use crate::numerics::functions::pow;
 use crate::units::{Dimension, format_input, format_result};
 
 /// The warnings that concern e in an impact with this speed normal to the surface \[m/s\], this peak mean pressure \[Pa\] and this
@@ -137,19 +136,25 @@ fn short_contact_warning(contact: &Contact, duration: f64) -> Option<Warning> {
     })
 }
 
-/// The warning for a speed at which adhesion would take a part of e: below seven times the speed at which a sphere sticks by the
-/// theory of Johnson, Kendall and Roberts, √(14.18/m) (Γ⁵ R⁴/E*²)^(1/6) (Thornton and Ning 1998).
+/// The warning for a speed at which adhesion takes a part of e: below seven times the speed at which an elastic sphere sticks, with the
+/// given work of adhesion, or with a usual one.
 fn adhesion_warning(contact: &Contact, speed: f64) -> Option<Warning> {
-    let (radius, modulus) = (contact.pair().radius, contact.pair().effective_modulus);
-    let depth = pow(WORK_OF_ADHESION, 5.0 / 6.0) * pow(radius, 2.0 / 3.0) / pow(modulus, 1.0 / 3.0);
-    let sticking = (14.18 / contact.reduced_mass()).sqrt() * depth;
+    let work = contact.adhesion_work().unwrap_or(WORK_OF_ADHESION);
+    let sticking = contact.sticking_speed(work, contact.pair().radius);
     let is_slow = speed > 0.0 && speed < ADHESION_RANGE * sticking;
+    let [sticks, negligible] =
+        [sticking, ADHESION_RANGE * sticking].map(|speed| format_result(speed, Dimension::Speed));
+    let of_work = format_result(work, Dimension::SurfaceEnergy);
     Warning::new_if(is_slow, WarningKind::Adhesion, sticking / speed, || {
-        format!(
-            "e is too high, because adhesion is not modelled. For a surface energy of {WORK_OF_ADHESION} J/m^2 the sphere sticks below {}; above {} the error of e is less than 1 %.",
-            format_result(sticking, Dimension::Speed),
-            format_result(ADHESION_RANGE * sticking, Dimension::Speed)
-        )
+        if contact.adhesion_work().is_some() {
+            format!(
+                "restitution does not contain adhesion, and is too high. For a work of adhesion of {of_work} an elastic sphere sticks below {sticks}; above {negligible} the error of e is less than 1 %. Use restitution_with_adhesion."
+            )
+        } else {
+            format!(
+                "e is too high, because adhesion is not modelled. For a work of adhesion of {of_work} the sphere sticks below {sticks}; above {negligible} the error of e is less than 1 %. Give adhesion.work for the restitution with adhesion."
+            )
+        }
     })
 }
 

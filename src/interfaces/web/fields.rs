@@ -21,7 +21,7 @@ pub fn fields() -> Value {
             ValueForm::Word(WordList { values, .. }) => ("", "", Some(values())),
             _ => return None,
         };
-        let pair = ALTERNATIVES.iter().find(|[_, other]| *other == key.path);
+        let group = ALTERNATIVES.into_iter().find(|group| group[1..].contains(&key.path));
         Some(json!({
             "path": key.path,
             "title": path_title(key.path),
@@ -30,7 +30,7 @@ pub fn fields() -> Value {
             "example": example,
             "unit": unit,
             "words": words,
-            "instead": pair.map(|[one, _]| one)
+            "instead": group.map(|group| group[0])
         }))
     });
     keys.chain([law]).collect()

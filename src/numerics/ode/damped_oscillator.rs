@@ -117,7 +117,15 @@ mod tests {
     /// The closed form is compared with steps at a tolerance of 1e-13, to the end of the piece and to the turning point.
     #[test]
     fn steps_lead_to_the_same_state() {
-        for (end, eta, theta) in [(0.3, 0.2, 0.0), (9.0, 0.2, 0.0), (0.3, 1.5, 0.1), (9.0, 1.0, 0.3), (9.0, 0.0, 0.4)] {
+        for (end, eta, kappa, theta) in [
+            (0.3, 0.2, 0.0, 0.0),
+            (9.0, 0.2, 0.0, 0.0),
+            (0.3, 1.5, 0.0, 0.1),
+            (9.0, 1.0, 0.0, 0.3),
+            (9.0, 0.0, 0.0, 0.4),
+            (0.3, 0.0, 0.1, 0.0),
+            (9.0, 0.0, 0.8, 0.0),
+        ] {
             let curve = LoadingCurve::linear(2.0).then_line(0.25, 2.0);
             let path = LegProblem {
                 piece: &curve.pieces()[1],
@@ -125,7 +133,12 @@ mod tests {
                 leg: Leg::Loading(end),
                 error_scales: ErrorScales { distance: 1.0, speed: 1.3 },
                 constant_acceleration: 0.0,
-                drag: DampingCoefficients { hunt_crossley: 0.0, viscous: eta, plate: theta },
+                drag: DampingCoefficients {
+                    viscous: eta,
+                    viscoelastic: kappa,
+                    plate: theta,
+                    ..DampingCoefficients::NONE
+                },
                 rest: None,
             };
             let start = MotionState { time: 0.7, distance: 0.1, speed: 1.3, loss: 0.05 };

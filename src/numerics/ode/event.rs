@@ -2,7 +2,7 @@
 
 use super::dop853::ContinuousExtension;
 use super::equations::{DampedEquation, DampedState};
-use super::{LegEnd, LegProblem};
+use super::{DampingCoefficients, LegEnd, LegProblem};
 use crate::numerics::root::{illinois, newton_bisection};
 
 /// The event that ends a leg within a step.
@@ -84,14 +84,17 @@ impl DenseStep<'_> {
         newton_bisection((0.0, limit), limit, is_near, at)
     }
 
-    /// The contact force over √g', which is not steep near the zero of g. Beyond that zero there is no contact.
+    /// The contact force over √g', or over g' in a viscoelastic contact, which is not steep near the zero of g. Beyond that zero there
+    /// is no contact.
     fn scaled_contact_force<P: DampedEquation>(&self, theta: f64) -> f64 {
         let (y, u) = self.position_and_speed(theta);
         let distance = P::distance_at(y);
         let force = self.path.restoring_acceleration(distance.abs());
         let root = self.path.sqrt_slope(distance.abs());
-        let of_law = if root > 0.0 { force / root } else { 0.0 };
-        of_law * if y > 0.0 { 1.0 + self.path.drag.hunt_crossley * u } else { -1.0 } + self.path.drag.viscous * u
+        let DampingCoefficients { hunt_crossley: chi, viscous, viscoelastic, .. } = self.path.drag;
+        let size = if viscoelastic == 0.0 { root } else { root * root };
+        let of_law = if size > 0.0 { force / size } else { 0.0 };
+        of_law * if y > 0.0 { 1.0 + chi * u } else { -1.0 } + (viscous + viscoelastic) * u
     }
 
     fn contact_force_rate<P: DampedEquation>(&self, theta: f64) -> f64 {

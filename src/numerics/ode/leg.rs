@@ -47,36 +47,48 @@ pub struct ErrorScales {
     pub speed: f64,
 }
 
-/// The drag, a force against the motion in addition to the restoring force g: drag = (χ g + η √g') d' + θ g' d'.
+/// The drag, a force against the motion in addition to the restoring force g: drag = (χ g + η √g' + κ g') d' + θ g' d'.
 ///
-/// The first two terms are a part of the contact force, so they count where this force vanishes and where it is largest. The third term
-/// acts on the motion alone: a plate gives way at a speed that is proportional to the force.
+/// The first three terms are a part of the contact force, so they count where this force vanishes and where it is largest. The last term
+/// acts on the motion alone: a plate gives way at a speed that is proportional to the force. In the motion κ and θ are the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DampingCoefficients {
     /// χ: drag in proportion to the force.
     pub hunt_crossley: f64,
     /// η: drag in proportion to the root of the stiffness; twice the fraction of critical damping.
     pub viscous: f64,
+    /// κ: drag in proportion to the stiffness, a time. A contact has either η or κ.
+    pub viscoelastic: f64,
     /// θ: drag in proportion to the stiffness, which is no part of the contact force.
     pub plate: f64,
 }
 
 impl DampingCoefficients {
-    pub const NONE: Self = Self { hunt_crossley: 0.0, viscous: 0.0, plate: 0.0 };
+    pub const NONE: Self = Self { hunt_crossley: 0.0, viscous: 0.0, viscoelastic: 0.0, plate: 0.0 };
 
     /// True if any part of the drag is a part of the contact force.
     pub(crate) fn acts_in_contact(self) -> bool {
-        self.hunt_crossley != 0.0 || self.viscous != 0.0
+        self.hunt_crossley != 0.0 || self.acts_with_slope()
+    }
+
+    /// True if a part of the contact force depends on the stiffness g'. This part jumps where the stiffness does.
+    pub(crate) fn acts_with_slope(self) -> bool {
+        self.viscous != 0.0 || self.viscoelastic != 0.0
     }
 
     /// True if the contact force can vanish before the restoring force does.
     pub(crate) fn can_lift_off(self) -> bool {
-        self.viscous > 0.0
+        self.viscous > 0.0 || self.viscoelastic > 0.0
+    }
+
+    /// κ + θ: all drag in proportion to the stiffness.
+    pub(crate) fn per_slope(self) -> f64 {
+        self.viscoelastic + self.plate
     }
 
     /// True if the drag depends on the stiffness g'.
     pub(super) fn needs_slope(self) -> bool {
-        self.viscous != 0.0 || self.plate != 0.0
+        self.acts_with_slope() || self.plate != 0.0
     }
 
     /// Drag over speed in the contact, and on the motion, at this force. `slope` is called only if a coefficient needs the slope of
@@ -86,10 +98,12 @@ impl DampingCoefficients {
         self.per_speed(force, if self.needs_slope() { sqrt_slope(slope()) } else { 0.0 })
     }
 
-    /// χ g + η √g' and θ g': drag over speed in the contact, and on the motion.
+    /// χ g + η √g' + κ g' and θ g': drag over speed in the contact, and on the motion.
     #[inline(always)]
     pub fn per_speed(self, force: f64, root_of_slope: f64) -> (f64, f64) {
-        (force * self.hunt_crossley + self.viscous * root_of_slope, self.plate * root_of_slope * root_of_slope)
+        let of_slope = self.viscoelastic * root_of_slope * root_of_slope;
+        let in_contact = force * self.hunt_crossley + self.viscous * root_of_slope + of_slope;
+        (in_contact, self.plate * root_of_slope * root_of_slope)
     }
 }
 
@@ -180,13 +194,16 @@ impl LegProblem<'_> {
     /// How fast the contact force grows in time:
     ///
     /// ```text
-    /// g' u (1 + χ u) + χ g u' + η (√g' u' + g'' u²/(2 √g'))
+    /// g' u (1 + χ u) + χ g u' + η (√g' u' + g'' u²/(2 √g')) + κ (g' u' + g'' u²)
     /// ```
     pub(super) fn contact_force_rate(&self, distance: f64, speed: f64) -> f64 {
         let [force, slope, curvature] = self.derivatives(distance);
-        let DampingCoefficients { hunt_crossley: chi, viscous: eta, plate: theta } = self.drag;
+        let DampingCoefficients { hunt_crossley: chi, viscous: eta, viscoelastic: kappa, plate: theta } = self.drag;
         let acceleration = self.constant_acceleration - self.contact_force(distance, speed) - theta * slope * speed;
-        let of_law = slope * speed * (1.0 + chi * speed) + chi * force * acceleration;
+        let mut of_law = slope * speed * (1.0 + chi * speed) + chi * force * acceleration;
+        if kappa != 0.0 {
+            of_law += kappa * (slope * acceleration + curvature * speed * speed);
+        }
         if eta == 0.0 {
             return of_law;
         }
@@ -260,5 +277,7 @@ mod tests {
         assert!(both.rates_at_force(1.0, || f64::NAN).0.is_nan());
         // η √g' and θ g'
         assert_eq!(both.rates_at_force(1.0, || 2.25), (0.2 * 1.5, 3.0 * 2.25));
+        let viscoelastic = DampingCoefficients { viscoelastic: 0.2, ..DampingCoefficients::NONE };
+        assert_eq!(viscoelastic.rates_at_force(1.0, || 2.25), (0.2 * 2.25, 0.0));
     }
 }

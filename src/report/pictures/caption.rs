@@ -58,6 +58,9 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
             "damping.hunt_crossley",
             format!("Hunt–Crossley {}", format_result(chi, Dimension::InverseSpeed)),
         ),
+        Damping::Viscoelastic(time) => {
+            unless_varied("damping.viscoelastic_time", format!("viscoelastic {}", format_result(time, Dimension::Time)))
+        }
     });
     join_parts(&[
         ("sphere", &of_sphere),

@@ -37,7 +37,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     if progress.is_stopped() {
         return Err(Error::new(ErrorKind::Stopped(130), "the series was stopped"));
     }
-    let mut idle = scenario.unused_key_warnings(std::slice::from_ref(&input), Kind::Impact);
+    let mut idle = scenario.unused_key_warnings(std::slice::from_ref(&input), Kind::Repeat);
     idle.extend(input.flight_warnings());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(warning_texts(&idle)).collect();

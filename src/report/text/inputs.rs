@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use crate::contact::law::plm::hardness_test::flow_stress_of_hardness;
 use crate::impact::Method;
-use crate::scenario::input::{Body, Input, KeyValue, alternative_to};
+use crate::scenario::input::{Body, Input, KeyValue, alternatives_to};
 use crate::scenario::keys::quantity::FACTOR;
 use crate::scenario::keys::{Part, body_key};
 use crate::scenario::plan::{AxisWord, Plan, SweepAxis};
@@ -75,7 +75,7 @@ impl Inputs {
             })
         };
         entries.retain(|entry @ KeyValue { path, part, .. }| {
-            let is_given_by_rows = varies(path) || alternative_to(path).is_some_and(varies) || follows(path);
+            let is_given_by_rows = varies(path) || alternatives_to(path).any(varies) || follows(path);
             // a table has no trace
             *part != Part::Output && !is_given_by_rows && is_shared(entry)
         });

@@ -4,7 +4,7 @@
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::scenario::input::read_input::is_known_path;
-use crate::scenario::input::{REQUIRED_KEYS, alternative_to};
+use crate::scenario::input::{REQUIRED_KEYS, alternatives_to};
 use crate::scenario::toml_node::{COMBINED, join_path, without_indices};
 
 /// The text cannot be changed, because it is no TOML.
@@ -77,11 +77,11 @@ pub fn with_changes<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change
 /// The keys that this change replaces. The axis of a key counts like the key.
 fn replaced_keys(path: &[&str], key: &str, value: &Value) -> Vec<&'static str> {
     match (path, value) {
-        (["sweep" | "monte_carlo", number], _) => alternative_to(number).into_iter().collect(),
+        (["sweep" | "monte_carlo", number], _) => alternatives_to(number).collect(),
         (["sweep" | "monte_carlo"], Value::InlineTable(axes)) => {
-            axes.iter().filter_map(|(name, _)| alternative_to(name)).collect()
+            axes.iter().flat_map(|(name, _)| alternatives_to(name)).collect()
         }
-        _ => alternative_to(key).into_iter().collect(),
+        _ => alternatives_to(key).collect(),
     }
 }
 
@@ -137,7 +137,7 @@ fn remove(table: &mut dyn TableLike, path: &[&str]) -> bool {
 /// Sets the value of a key, at the position of the key that it replaces. Comments beside and above the old value stay.
 pub fn set(document: &mut DocumentMut, path: &str, new: impl Into<Value>) {
     insert(document, &path_parts(path), new.into());
-    if let Some(other) = alternative_to(path) {
+    for other in alternatives_to(path) {
         remove(document.as_table_mut(), &path_parts(other));
     }
 }

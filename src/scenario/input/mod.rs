@@ -15,7 +15,7 @@ pub(crate) use body_material::{Body, BodyMaterial};
 pub use measured::MeasuredQuantity;
 pub use numeric_key::{
     ALTERNATIVES, N_BODY_KEYS, N_SPHERE_KEYS, NUMERIC_KEYS, NumericKey, OBLIQUE_KEYS, REQUIRED_KEYS, SPIN_KEYS,
-    alternative_to, without_axis_table,
+    alternative_pairs, alternatives_to, without_axis_table,
 };
 
 use std::collections::BTreeMap;

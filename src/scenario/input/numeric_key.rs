@@ -23,20 +23,29 @@ pub const SPIN_KEYS: [NumericKey; 3] =
 /// The keys of which one makes an impact oblique, so that friction is computed.
 pub const OBLIQUE_KEYS: [NumericKey; 4] = [key!("impact.angle"), SPIN_KEYS[0], SPIN_KEYS[1], SPIN_KEYS[2]];
 
-/// Alternative keys: a scene has one of the two.
-pub const ALTERNATIVES: [[&str; 2]; 6] = [
-    ["sphere.radius", "sphere.diameter"],
-    ["sphere.density", "sphere.mass"],
-    ["sphere.yield_strength", "sphere.hardness"],
-    ["half_space.yield_strength", "half_space.hardness"],
-    ["impact.speed", "impact.drop_height"],
-    ["damping.hunt_crossley", "damping.viscous"],
+/// Alternative keys: a scene has at most one key of a group.
+pub const ALTERNATIVES: [&[&str]; 6] = [
+    &["sphere.radius", "sphere.diameter"],
+    &["sphere.density", "sphere.mass"],
+    &["sphere.yield_strength", "sphere.hardness"],
+    &["half_space.yield_strength", "half_space.hardness"],
+    &["impact.speed", "impact.drop_height"],
+    &["damping.hunt_crossley", "damping.viscous", "damping.viscoelastic_time"],
 ];
 
-/// The alternative of this key.
-pub fn alternative_to(path: &str) -> Option<&'static str> {
-    let pair = ALTERNATIVES.iter().find(|pair| pair.contains(&path))?;
-    Some(if pair[0] == path { pair[1] } else { pair[0] })
+/// The alternatives of this key.
+pub fn alternatives_to(path: &str) -> impl Iterator<Item = &'static str> + use<'_> {
+    let group = ALTERNATIVES.into_iter().find(|group| group.contains(&path)).unwrap_or_default();
+    group.iter().copied().filter(move |other| *other != path)
+}
+
+/// All pairs of alternative keys, each in the order of its group.
+pub fn alternative_pairs() -> impl Iterator<Item = [&'static str; 2]> {
+    let pairs_of = |group: &'static [&'static str]| {
+        let later = move |place: usize| group[place + 1..].iter().map(move |other| [group[place], *other]);
+        (0..group.len()).flat_map(later)
+    };
+    ALTERNATIVES.into_iter().flat_map(pairs_of)
 }
 
 impl NumericKey {
@@ -44,9 +53,9 @@ impl NumericKey {
         NUMERIC_KEYS.iter().copied().find(|key| key.path() == path)
     }
 
-    /// Sets a checked number, SI, in an input, and removes the alternative of the key.
+    /// Sets a checked number, SI, in an input, and removes the alternatives of the key.
     pub fn set_exclusive(self, input: &mut Input, value: f64) {
-        if let Some(other) = alternative_to(self.path()).and_then(Self::find) {
+        for other in alternatives_to(self.path()).filter_map(Self::find) {
             input.set(other, None);
         }
         input.set(self, Some(value));

@@ -81,7 +81,9 @@ impl Input {
     pub fn forces(&self) -> Forces {
         let number = |at| self.number(at);
         let viscous = || number(key!("damping.viscous")).map(Damping::Viscous);
-        let damping = number(key!("damping.hunt_crossley")).map(Damping::HuntCrossley).or_else(viscous);
+        let viscoelastic = || number(key!("damping.viscoelastic_time")).map(Damping::Viscoelastic);
+        let hunt_crossley = number(key!("damping.hunt_crossley")).map(Damping::HuntCrossley);
+        let damping = hunt_crossley.or_else(viscous).or_else(viscoelastic);
         let plate = number(key!("half_space.thickness")).map(|thickness| Plate {
             thickness,
             edge_distance: number(key!("half_space.edge_distance")),
@@ -143,6 +145,7 @@ impl Input {
         let is_of_impact = Body::ALL.map(|body| self.strength_kind(body) == Some(StrengthKind::Flow));
         let is_by_hardness = [0, 1].map(|place| is_by_hardness[place] && !is_of_impact[place]);
         let contact = contact.with_peening(self.peening()).with_subsurface(self.asks_for_subsurface());
+        let contact = contact.with_adhesion(self.number(key!("adhesion.work")));
         let named = MaterialNames { sphere, half_space, is_by_hardness, is_of_impact };
         Ok(contact.with_materials(named).with_rate_dependence(self.rates(), law))
     }

@@ -9,7 +9,8 @@ use super::quantity::{
     FACTOR, FORCE, FRICTION, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, IMPACTS,
     INDENTATION, LEEB, LENGTH, LOAD, MASS, MASS_FLOW, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO,
     RATE_EXPONENT, RATE_SENSITIVITY, RESTITUTION, SAMPLES, SATURATION, SHARE, SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN,
-    STEPS, STRAIN_RATE, STRENGTH, TIME, TOLERANCE, TRANSITION_RATIO, VISCOSITY, VISCOUS,
+    STEPS, STRAIN_RATE, STRENGTH, TIME, TOLERANCE, TRANSITION_RATIO, VISCOELASTIC_TIME, VISCOSITY, VISCOUS,
+    WORK_OF_ADHESION,
 };
 use super::words::{
     COLUMNS, HARDNESSES, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, PLATES, RATES, ROBUSTS, SPOT_MODES,
@@ -219,7 +220,7 @@ const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
 };
 
-const OTHER_KEYS: [KeySpec; 49] = key_specs! {
+const OTHER_KEYS: [KeySpec; 51] = key_specs! {
     "";
     /// Impact speed: speed of the sphere at first contact, towards the half-space. With an angle, the magnitude of the velocity.
     "impact.speed" of Approach: Number(&SPEED);
@@ -244,6 +245,12 @@ const OTHER_KEYS: [KeySpec; 49] = key_specs! {
     "damping.hunt_crossley" of Forces: Number(&HUNT_CROSSLEY);
     /// Fraction of critical damping, with the tangent stiffness of the contact; instead of hunt_crossley.
     "damping.viscous" of Forces: Number(&VISCOUS);
+    /// Time A of a viscoelastic contact, for polymers and rubber: the force is F + A F' v with the slope F' of the law. Fit A to one
+    /// measured rebound. Instead of hunt_crossley.
+    "damping.viscoelastic_time" of Forces: Number(&VISCOELASTIC_TIME);
+    /// Work of adhesion per contact area, for small particles: the results are the sticking speed and the restitution with adhesion.
+    /// N/m is the same unit.
+    "adhesion.work" of Forces: Number(&WORK_OF_ADHESION);
     /// Coverage of the surface by the dents of random impacts, as a fraction: 0.98 is full coverage in shot peening. The results are
     /// impacts, mass and time for this coverage.
     "peening.coverage" of Peening: Number(&COVERAGE);

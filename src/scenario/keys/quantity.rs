@@ -140,6 +140,15 @@ pub const VISCOUS: Quantity = Quantity {
     ..bounded_ratio("a fraction of critical damping", Included(0.0), Included(1000.0), "0.05")
 };
 
+/// A of a viscoelastic contact: polymers have 0.1 us to 1 ms.
+pub const VISCOELASTIC_TIME: Quantity = non_negative("a viscoelastic time", Dimension::Time, "\"1.2 us\"");
+
+/// The work of adhesion: solids have 0.01 to 2 J/m².
+pub const WORK_OF_ADHESION: Quantity = Quantity {
+    too_high: "solids have 0.01 to 2 J/m^2; check the unit",
+    ..bounded_quantity("a work of adhesion", Dimension::SurfaceEnergy, Included(0.0), Included(100.0), "\"0.05 J/m^2\"")
+};
+
 pub const SHOT_SPEED: Quantity = Quantity { too_low: "an impact needs a speed. Remove this value", ..SPEED };
 /// Repeated impacts: as many as a table of some hundred megabytes has rows.
 pub const IMPACTS: Quantity = bounded_ratio("a number of impacts", Included(1.0), Included(1e6), "20");

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::{Contact, ImpactError, PlateError};
 use crate::scenario::Scenario;
-use crate::scenario::input::{ALTERNATIVES, Input, NUMERIC_KEYS, OBLIQUE_KEYS};
+use crate::scenario::input::{Input, NUMERIC_KEYS, OBLIQUE_KEYS, alternative_pairs};
 use crate::scenario::keys::key;
 use crate::units::format_four_digits;
 
@@ -80,6 +80,26 @@ const RULES: &[KeyRule] = &[
         reason: "elastic waves cannot be combined with [{}], because the wave loss is computed for a contact without damping. Remove this key or [{}].",
     },
     excludes(
+        &["damping.viscoelastic_time"],
+        &["half_space.thickness"],
+        "cannot be combined with {}, because both are a drag in proportion to the stiffness of the contact, and the plate would also move with the viscoelastic force. Remove one of the two.",
+    ),
+    excludes(
+        &["damping.viscoelastic_time"],
+        &["sphere.rate", "half_space.rate"],
+        "cannot be combined with {}, because the metal relaxes at maximum compression, and this drop of the force has no finite stiffness. Remove one of the two.",
+    ),
+    excludes(
+        &["adhesion"],
+        &["damping.viscoelastic_time", "half_space.thickness"],
+        "cannot be combined with {}, because the loss by adhesion is known for an elastic contact on a half-space only. Remove one of the two.",
+    ),
+    excludes(
+        &["adhesion"],
+        &["calibrate"],
+        "cannot be combined with [{}], which compares the restitution without adhesion. Remove one of the two.",
+    ),
+    excludes(
         &["half_space.mass"],
         &["gravity", "repeat"],
         "a free target cannot be combined with [{}]. Remove one of the two. (A fall can be given by impact.drop_height without [gravity].)",
@@ -116,7 +136,7 @@ const RULES: &[KeyRule] = &[
         "applies only if the sphere bounces under [gravity]. Add [gravity], or remove this key.",
     ),
     excludes(
-        &["impact", "gravity", "damping", "air"],
+        &["impact", "gravity", "damping", "adhesion", "air"],
         &["indentation"],
         "does not apply to a quasi-static [{}]. Remove one of the two.",
     ),
@@ -168,12 +188,12 @@ impl Scenario {
     /// The refusals of tables of two kinds, of keys that exclude each other, of keys that need another key, and of empty tables.
     pub(in crate::scenario) fn check_combinations(&self) -> Vec<Error> {
         let mut refused: Vec<Error> = self.kind().err().into_iter().collect();
-        for [one, other] in ALTERNATIVES {
+        for [one, other] in alternative_pairs() {
             if self.is_given(one) && self.is_given(other) {
                 refused.push(self.document.refuse_both(one, other));
             }
         }
-        for table in ["friction", "gravity", "damping"] {
+        for table in ["friction", "gravity", "damping", "adhesion"] {
             let keys: Vec<&str> =
                 NUMERIC_KEYS.iter().map(|key| key.path()).filter(|path| path.starts_with(table)).collect();
             if self.document.contains(table) && !keys.iter().any(|path| self.document.contains(path)) {
@@ -276,11 +296,11 @@ impl Scenario {
     pub(in crate::scenario) fn conflicting_axis(&self, varied: &[&'static str]) -> Option<(&'static str, String)> {
         let varies = |path: &str| varied.contains(&path);
         // a swept diameter replaces a radius in the file
-        let pairs = ALTERNATIVES.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
+        let pairs = alternative_pairs().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
         let given = pairs.into_iter().find(|(key, other)| varies(key) && self.is_given(other));
         let refusal =
             |(key, other, is_given)| (key, format!("replaces {other}, which {is_given}. Remove one of the two."));
-        let both = || ALTERNATIVES.into_iter().find(|pair| pair.iter().all(|path| varies(path)));
+        let both = || alternative_pairs().find(|pair| pair.iter().all(|path| varies(path)));
         let given = given.map(|(key, other)| (key, other, "is also given"));
         given.or_else(|| both().map(|[other, key]| (key, other, "varies too"))).map(refusal)
     }

@@ -93,9 +93,10 @@ const RULES: &[Rule] = &[
         |facts, _| facts.all(|input| input.air().is_none_or(|air| air.drag.is_some())),
         "only drag = \"sphere\" uses a viscosity",
     ),
+    keys(&["adhesion.work"], |facts, _| facts.kind == Kind::Repeat, "the impacts of a series rebound without adhesion"),
     keys(
         &["half_space.edge_distance"],
-        |facts, _| facts.kind != Kind::Impact,
+        |facts, _| !matches!(facts.kind, Kind::Impact | Kind::Repeat),
         "only a warning of single impacts uses this key",
     ),
     keys(
@@ -152,6 +153,11 @@ const RULES: &[Rule] = &[
         &[Requirement::Subsurface],
         |facts, _| facts.all(|input| input.yield_partition().is_some_and(|partition| !partition.is_half_space_alone())),
         "the stress below a dent is known only if the sphere does not yield",
+    ),
+    columns(
+        &[Requirement::Adhesion],
+        |facts, _| facts.first().number(key!("adhesion.work")).is_none(),
+        "the scenario has no [adhesion]. Add [adhesion] with work = \"0.05 J/m^2\"",
     ),
     columns(&[Requirement::Rate], |facts, _| !facts.first().has_rate(), "no strain-rate model is given"),
     columns(
@@ -242,7 +248,7 @@ impl Facts<'_> {
     }
 
     fn has_steps(&self, input: &Input) -> bool {
-        self.kind == Kind::Impact || self.kind.is_table() && input.is_integrated()
+        matches!(self.kind, Kind::Impact | Kind::Repeat) || self.kind.is_table() && input.is_integrated()
     }
 
     fn is_of_a_law(&self, path: &str) -> bool {

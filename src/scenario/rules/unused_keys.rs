@@ -2,7 +2,7 @@
 
 use super::effect::Facts;
 use crate::impact::Warning;
-use crate::scenario::input::{Input, REQUIRED_KEYS, alternative_to};
+use crate::scenario::input::{Input, REQUIRED_KEYS, alternatives_to};
 use crate::scenario::keys::ALL_KEYS;
 use crate::scenario::{Kind, Scenario};
 
@@ -11,9 +11,10 @@ impl Scenario {
     /// in another way. Needed keys get no warning.
     pub fn unused_key_warnings(&self, inputs: &[Input], kind: Kind) -> Vec<Warning> {
         let facts = Facts { inputs, kind, varied: &[] };
-        let needed = if kind == Kind::Impact { &REQUIRED_KEYS[..] } else { &REQUIRED_KEYS[..REQUIRED_KEYS.len() - 2] };
+        let has_motion = matches!(kind, Kind::Impact | Kind::Repeat);
+        let needed = &REQUIRED_KEYS[..REQUIRED_KEYS.len() - if has_motion { 0 } else { 2 }];
         let is_needed =
-            |path: &str| [Some(path), alternative_to(path)].into_iter().flatten().any(|key| needed.contains(&key));
+            |path: &str| needed.contains(&path) || alternatives_to(path).any(|other| needed.contains(&other));
         let keys = ALL_KEYS
             .iter()
             .map(|key| key.path)

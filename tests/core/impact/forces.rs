@@ -31,6 +31,10 @@ fn viscous(zeta: f64) -> Forces {
     Forces { damping: Some(Damping::Viscous(zeta)), ..Forces::default() }
 }
 
+fn viscoelastic(time: f64) -> Forces {
+    Forces { damping: Some(Damping::Viscoelastic(time)), ..Forces::default() }
+}
+
 fn contact_with_forces(scene: &Scene, forces: Forces) -> Contact {
     scene.contact().with_forces(forces)
 }

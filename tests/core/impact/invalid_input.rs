@@ -72,6 +72,7 @@ fn forces_and_friction_that_cannot_be_are_refused() {
             Forces { gravity: Some(bad), ..Forces::default() },
             Forces { damping: Some(Damping::HuntCrossley(bad)), ..Forces::default() },
             Forces { damping: Some(Damping::Viscous(bad)), ..Forces::default() },
+            Forces { damping: Some(Damping::Viscoelastic(bad)), ..Forces::default() },
         ] {
             assert!(is_refused(&contact.clone().with_forces(forces), straight), "{forces:?}");
         }

@@ -1,5 +1,6 @@
 //! Tests of impacts, series and indentation.
 
+pub mod adhesion;
 pub mod deep_dents;
 pub mod flight;
 pub mod forces;
@@ -19,5 +20,6 @@ pub mod steps;
 pub mod strain_rate;
 pub mod two_bodies;
 pub mod verlet;
+pub mod viscoelastic;
 pub mod waves;
 pub mod yield_point;

@@ -158,9 +158,12 @@ fn fresh_spots_give_single_impacts_at_remaining_speeds() {
 #[test]
 fn energy_balance_of_100_damped_bounces_closes() {
     for place in SpotMode::ALL {
-        for (damping, tolerance) in
-            [(None, 1e-13), (Some(Damping::HuntCrossley(0.02)), 1e-10), (Some(Damping::Viscous(0.002)), 1e-10)]
-        {
+        for (damping, tolerance) in [
+            (None, 1e-13),
+            (Some(Damping::HuntCrossley(0.02)), 1e-10),
+            (Some(Damping::Viscous(0.002)), 1e-10),
+            (Some(Damping::Viscoelastic(1e-8)), 1e-10),
+        ] {
             let contact = contact(Scene::steel(), damping);
             let solver = Solver { tolerance, ..auto() };
             let sequence = bouncing(place, 3.0, 100, None).run(&contact, &solver, 10, None).unwrap();

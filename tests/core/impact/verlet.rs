@@ -18,10 +18,12 @@ fn by_steps(scene: &Scene, forces: Forces, steps: u32) -> Impact {
     scene.contact().with_forces(forces).impact(0.5, &verlet(steps), Some(20)).unwrap()
 }
 
-fn every_force() -> [Forces; 4] {
+fn every_force() -> [Forces; 5] {
     let damping = |damping| Forces { damping: Some(damping), ..Forces::default() };
     let gravity = Forces { gravity: Some(1e4), ..Forces::default() };
-    [NO_OVERRIDES, gravity, damping(Damping::HuntCrossley(0.1)), damping(Damping::Viscous(0.1))]
+    let damped = [Damping::HuntCrossley(0.1), Damping::Viscous(0.1), Damping::Viscoelastic(1e-6)];
+    let [chi, zeta, time] = damped.map(damping);
+    [NO_OVERRIDES, gravity, chi, zeta, time]
 }
 
 #[test]

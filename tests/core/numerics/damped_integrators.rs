@@ -13,19 +13,23 @@ fn damped_oscillator_follows_closed_form() {
     // ω t = arccos b/√(1 − b²), d = u/ω e^(−b ω t). The sphere lifts off where the force of spring and damper is gone
     let (omega, u) = (3.0, 0.7_f64);
     let near = |got: f64, want: f64| (got / want - 1.0).abs() < 1e-9;
-    for (zeta, theta) in [
-        (1e-3, 0.0),
-        (0.05, 0.0),
-        (0.3, 0.0),
-        (0.9, 0.0),
-        (0.999, 0.0),
-        (1.0, 0.0),
-        (1.5, 0.0),
-        (10.0, 0.0),
-        (0.1, 0.05),
+    for (zeta, kappa, theta) in [
+        (1e-3, 0.0, 0.0),
+        (0.05, 0.0, 0.0),
+        (0.3, 0.0, 0.0),
+        (0.9, 0.0, 0.0),
+        (0.999, 0.0, 0.0),
+        (1.0, 0.0, 0.0),
+        (1.5, 0.0, 0.0),
+        (10.0, 0.0, 0.0),
+        (0.1, 0.0, 0.05),
+        (0.0, 1e-3, 0.0),
+        (0.0, 0.2, 0.0),
+        (0.0, 1.2, 0.0),
     ] {
         let curve = LoadingCurve::linear(omega * omega);
-        let drag = DampingCoefficients { viscous: 2.0 * zeta, plate: theta, ..DampingCoefficients::NONE };
+        let viscous = 2.0 * zeta;
+        let drag = DampingCoefficients { viscous, viscoelastic: kappa, plate: theta, ..DampingCoefficients::NONE };
         let sizes = ErrorScales { distance: u / omega, speed: u };
         let path = |leg| LegProblem {
             piece: &curve.pieces()[0],
@@ -36,7 +40,7 @@ fn damped_oscillator_follows_closed_form() {
             drag,
             rest: None,
         };
-        let both: f64 = zeta + 0.5 * theta * omega;
+        let both: f64 = zeta + 0.5 * (kappa + theta) * omega;
         // beyond critical damping the functions are the hyperbolic ones
         let time = match both {
             b if b < 1.0 => b.acos() / (1.0 - b * b).sqrt(),
@@ -61,7 +65,7 @@ fn damped_oscillator_follows_closed_form() {
             let MotionState { distance: d, speed: v, loss, .. } = state;
             // each way multiplies the speed alike where there is no plate
             assert!(theta > 0.0 || near(v, -u * left * left) && near(state.time, 2.0 * time / omega), "{zeta}");
-            assert!((omega * d + 2.0 * zeta * v).abs() < 1e-9 * u, "{zeta}");
+            assert!((omega * d + (viscous + kappa * omega) * v).abs() < 1e-9 * u, "{zeta}");
             assert!(near(0.5 * v * v + 0.5 * omega * omega * d * d + loss, 0.5 * u * u), "{zeta}");
         }
     }
@@ -74,7 +78,10 @@ fn weakly_damped_hertz_contact_separates_at_zero_force() {
     let law = Law::hertz();
     for tenths in 60..160 {
         let zeta = 10_f64.powf(-0.1 * f64::from(tenths));
-        let forces = ScaledForces { damping: Damping::Viscous(zeta).scaled_coefficients(1.0), ..ScaledForces::NONE };
+        let forces = ScaledForces {
+            damping: DampingCoefficients { viscous: 2.0 * zeta, ..DampingCoefficients::NONE },
+            ..ScaledForces::NONE
+        };
         let distance = (2.0 * zeta * 1.875_f64.sqrt() / 1.25).powf(0.8);
         let want = 2.943_275_184_324_704_7 - distance;
         for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13] {

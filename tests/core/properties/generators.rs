@@ -19,9 +19,11 @@ enum Unit {
     YieldGravity,
     /// One over the speed, with the one that the weight gives.
     PerSpeed,
+    /// The time in which the sphere passes the indentation of an elastic impact, with that speed.
+    ImpactTime,
     SpeedOverRadius,
 }
-use Unit::{PerSpeed, Radius, Range, Si, SpeedOverRadius, SphereMass, Strength, YieldGravity, YieldSpeed};
+use Unit::{ImpactTime, PerSpeed, Radius, Range, Si, SpeedOverRadius, SphereMass, Strength, YieldGravity, YieldSpeed};
 
 /// The kind of value that is drawn for a key.
 #[derive(Debug, Clone, Copy)]
@@ -119,10 +121,11 @@ const RATES: Table = &[
 const GRAVITIES: Table = &[(2, &[]), (1, &[("gravity.acceleration", Decades(-6.0, 2.0), YieldGravity)])];
 /// Damping, a plate or elastic waves: from hardly any to what leaves next to nothing.
 const DRAGS: Table = &[
-    (4, &[]),
+    (5, &[]),
     (2, &[DENSITY]),
     (1, &[("damping.hunt_crossley", Decades(-4.0, 1.0), PerSpeed)]),
     (1, &[("damping.viscous", Decades(-4.0, 0.5), Si)]),
+    (1, &[("damping.viscoelastic_time", Decades(-4.0, 0.3), ImpactTime)]),
     (1, &[("half_space.thickness", Decades(-0.5, 1.5), Radius), DENSITY]),
 ];
 /// The whole range, and its edges: at first yield and just beside it, next to nothing, and at rest.
@@ -258,6 +261,10 @@ fn to_si(keys: &[(&'static str, KeySetting, Unit)], strain: f64) -> Vec<(&'stati
             YieldSpeed | Range => speed,
             YieldGravity => force / mass,
             PerSpeed => 1.0 / speed.hypot(fallen),
+            ImpactTime => {
+                let fastest = speed.hypot(fallen);
+                (1.25 * mass * fastest * fastest / (4.0 / 3.0 * e_star * radius.sqrt())).powf(0.4) / fastest
+            }
             SpeedOverRadius => speed / radius,
         };
         let in_unit = |given: &KeySetting, unit: Unit| match given {

@@ -26,8 +26,8 @@ pub fn rows_are_in_order(run: &Run) -> Judgement {
         prop_assert!(before.time < last.time, "{:?} {:?}", before, last);
     }
     assert_close("touch", first.indentation, run.touch(), 1e-12 * run.touch())?;
-    // on a straight line a viscous force begins with a step
-    prop_assert!(first.force == 0.0 || run.scene.has("damping.viscous") && !run.is_plm(), "{:?}", first);
+    // on a straight line a viscous or viscoelastic force begins with a step
+    prop_assert!(first.force == 0.0 || run.scene.has("damping.visco") && !run.is_plm(), "{:?}", first);
     for (row, next) in trace.iter().zip(&trace[1..]) {
         prop_assert!(row.time <= next.time && rank(row) <= rank(next), "{:?} {:?}", row, next);
         let is_new = row.event.is_none() || next.event.is_none() || next.event == Some(Event::Relaxation);
@@ -88,7 +88,7 @@ pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judgement {
         };
         assert_close("rebound", back, want, error * run.speed().max(want))?;
         assert_close("last force", last.force, 0.0, damping.map_or(0.0, |_| 1e-6 * impact.row.peak_force))?;
-        if run.scene.has("damping.viscous") {
+        if run.scene.has("damping.visco") {
             // during the rebound the sphere separates above the dent
             prop_assert!(last.indentation > impact.row.residual_indentation && last.speed < 0.0, "{:?}", last);
         } else if damping.is_none() {

@@ -25,7 +25,7 @@ fn exponents(dimension: Dimension) -> [i32; 3] {
         Dimension::Pressure => [-1, -2, 1],
         Dimension::Force => [1, -2, 1],
         Dimension::Energy => [2, -2, 1],
-        Dimension::Stiffness => [0, -2, 1],
+        Dimension::Stiffness | Dimension::SurfaceEnergy => [0, -2, 1],
         Dimension::AngularSpeed | Dimension::StrainRate => [0, -1, 0],
         Dimension::MomentOfInertia => [2, 0, 1],
         Dimension::Viscosity => [-1, -1, 1],

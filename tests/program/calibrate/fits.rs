@@ -253,3 +253,17 @@ fn strength_of_yielding_body_is_default_key() {
     assert_eq!(of("yield_strength = \"2 GPa\"", &format!("{steel}{soft}")).0, "half_space.yield_strength");
     assert_eq!(of("yield_strength = \"2 GPa\"", "material = \"steel-1045-normalized\"").0, "half_space.yield_strength");
 }
+
+/// The time A of a viscoelastic contact follows from one rebound: with a = (3/2) A v/L = 0.1 a Hertz contact has e = 0.892858875506553
+/// (20 digits, `tests/reference/viscoelastic.csv`). Here k = (4/3) E* √R = 10⁸ N/m^(3/2), m = 10⁻⁴ kg, v = 1 m/s, so L = 10^(−4.8) m.
+#[test]
+fn viscoelastic_time_follows_from_one_rebound() {
+    let text = "[sphere]\nradius = 0.0025\nmass = 1e-4\nyoungs_modulus = \"rigid\"\npoissons_ratio = 0.3\n\
+                [half_space]\nyoungs_modulus = 1.5e9\npoissons_ratio = 0\n[impact]\nspeed = 1\n\
+                [calibrate]\nmeasured.restitution = 0.892858875506553\n\
+                free.\"damping.viscoelastic_time\" = { from = \"1 ns\", to = \"1 ms\" }\n";
+    let desk = Sandbox::with(text);
+    desk.run_expecting(&["run", "s.toml", "--out", "o", "--pictures", "none"], 0);
+    let length = 10_f64.powf(-4.8);
+    assert_close(&desk.json("o/summary.json")["keys"][0]["estimate"], 0.1 * length / 1.5, 1e-6);
+}

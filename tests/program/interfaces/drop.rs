@@ -85,6 +85,13 @@ fn a_sphere_that_may_stick_is_warned_of() {
     assert!(said.contains("adhesion") && said.contains("sticks below 4.2"), "{said}");
     assert!(!warned("0.1 mm", "35 mm/s").contains("adhesion"));
     assert!(!warned("10 mm", "1 mm/s").contains("adhesion"));
+    // with the own work of adhesion, in either unit
+    for work in ["0.05 J/m^2", "50 mN/m", "0.05 N/m", "50 erg/cm^2"] {
+        let with = format!("adhesion.work={work}");
+        let set = ["--set", "sphere.diameter=0.1 mm", "--set", "impact.speed=9 mm/s", "--set", &with];
+        let (_, said) = desk.run_expecting(&[&["check", "s.toml"], &set[..]].concat(), 0);
+        assert!(said.contains("a work of adhesion of 50 mJ/m^2") && said.contains("sticks below 1.3"), "{said}");
+    }
     // a table says it of its slowest row, and a series of the first bounce that is so slow
     let [axis, bounces] = [
         "\n[sweep]\n\"impact.speed\" = [\"25 mm/s\", \"1 m/s\"]\n",

@@ -126,6 +126,8 @@ fn every_key_has_effect_or_reason() {
         &["solver.method=verlet", "solver.tolerance=1e-9", "sphere.youngs_modulus=rigid", "sphere.yield_strength=8e8"],
         &["half_space.density=7850", "half_space.thickness=0.02", "half_space.edge_distance=0.01"],
         &["damping.viscous=0.1", "solver.method=auto", "solver.tolerance=1e-9"],
+        &["damping.viscoelastic_time=1e-6", "solver.method=auto"],
+        &["adhesion.work=0.05", "solver.method=auto"],
         &["friction.coefficient=0.1", "impact.angle=30 deg", "sphere.spin=10", "sphere.moment_of_inertia=5e-8"],
         &["gravity.acceleration=9.81", "law.thornton.yield_pressure=1e9"],
         &["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20", "output.samples=9"],

@@ -1,6 +1,6 @@
 //! Scenarios as text: the scenes that they resolve to, and the refusal of bad scenarios.
 
-use plm_impact::scenario::input::{ALTERNATIVES, NUMERIC_KEYS};
+use plm_impact::scenario::input::{NUMERIC_KEYS, alternative_pairs};
 
 use crate::common::prelude::*;
 
@@ -70,7 +70,7 @@ fn overrides_from_shell_change_keys() {
 fn overrides_replace_alternatives_and_tables_and_remove_keys() {
     let set = |set: &[&str]| resolve(STEEL, set).unwrap();
     assert_eq!(set(&["sphere.diameter=1 cm"]), set(&["sphere.radius=none", "sphere.diameter=1 cm"]));
-    for [other, own] in ALTERNATIVES {
+    for [other, own] in alternative_pairs() {
         let quantity = NumericKey::find(own).unwrap().quantity();
         let number = quantity.parse(quantity.example.trim_matches('"')).unwrap();
         let need = if own == "impact.drop_height" { "gravity.acceleration=9.81" } else { "solver.method=auto" };

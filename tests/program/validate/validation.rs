@@ -33,7 +33,8 @@ fn validate_compares_with_every_reference() {
     // 4 quantities of load cycles in which
     // the sphere yields or both, with at least 9 elements in contact; two equal balls against two walls at 3 speeds; 10 impacts with a
     // strain rate, 14 of shots; 6 rebounds of Leeb devices, 19 hardnesses of steels; 4 heights of a bouncing ball with air and without; 8
-    // tangential restitutions, 7 spins, 9 angles and 14 slip speeds of oblique impacts; measured sets: speeds and restitutions of 24
+    // tangential restitutions, 7 spins, 9 angles and 14 slip speeds of oblique impacts; 10 restitutions of viscoelastic impacts and one of
+    // two balls; measured sets: speeds and restitutions of 24
     // collisions of glass balls, 5 pairs of a chart, 2 pairs with two constants, 8 spins; 3 quantities below
     // 34 dents
     let plastic =
@@ -59,6 +60,7 @@ fn validate_compares_with_every_reference() {
             + 7
             + 9
             + 14
+            + 11
             + 2 * 24
             + 5
             + 2 * 2

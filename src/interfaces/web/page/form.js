@@ -28,11 +28,11 @@ export function makeForm(form, { fields, materials, kinds, usual, changed, openT
     const known = (name) => Object.entries(materials.find((one) => one.name === name)?.values ?? {});
     const of = (name) => known(name).filter(([key]) => key.split(".")[0] === table);
     const instead = (key) => fields.find((field) => field.path === key)?.instead;
-    const pair = (key) => instead(key) ?? fields.find((field) => field.instead === key)?.path;
+    const group = (key) => fields.filter((field) => (field.instead ?? field.path) === (instead(key) ?? key));
     const out = of(name)
       .flatMap(([key]) => [key, instead(key)])
       .filter((key) => values[key]);
-    const back = name ? [] : of(values[path]).filter(([key]) => !values[key] && !values[pair(key)]);
+    const back = name ? [] : of(values[path]).filter(([key]) => group(key).every((field) => !values[field.path]));
     changed([[path, name], ...out.map((key) => [key, ""]), ...back]);
   }
 

@@ -58,7 +58,7 @@ export function makeRow(first, materials, changed) {
     unit.textContent = value && Number.isFinite(Number(value.replaceAll("_", ""))) ? (field.unit ?? "") : "";
   }
 
-  // the key that the row is about, of two that stand in place of each other
+  // the key that the row is about, of those that stand in place of each other
   function show(other) {
     field = other;
     about.textContent = field.description;

@@ -43,14 +43,14 @@ impl<const PULLED: bool> NystromEquation for LinearEquation<PULLED> {
     }
 }
 
-/// With drag: d'' = γ − (a + b d)(1 + χ u) − c u, where c = η √b + θ b.
+/// With drag: d'' = γ − (a + b d)(1 + χ u) − c u, where c = η √b + (κ + θ) b.
 #[derive(Debug, Clone, Copy)]
 pub struct DampedLinearEquation {
     pub a: f64,
     pub b: f64,
     pub chi: f64,
     pub c: f64,
-    /// η √b, the part of c that is in the contact.
+    /// η √b + κ b, the part of c that is in the contact.
     pub in_contact: f64,
     pub pull: f64,
 }
@@ -58,8 +58,8 @@ pub struct DampedLinearEquation {
 impl DampedLinearEquation {
     /// The piece a + b d with the pull and the drag of a path.
     pub fn from_leg(a: f64, b: f64, path: &LegProblem) -> Self {
-        let DampingCoefficients { hunt_crossley: chi, viscous: eta, plate: theta } = path.drag;
-        let in_contact = eta * b.sqrt();
+        let DampingCoefficients { hunt_crossley: chi, viscous: eta, viscoelastic: kappa, plate: theta } = path.drag;
+        let in_contact = eta * b.sqrt() + kappa * b;
         Self { a, b, chi, c: in_contact + theta * b, in_contact, pull: path.constant_acceleration }
     }
 }

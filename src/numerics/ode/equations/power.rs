@@ -3,7 +3,7 @@
 
 use super::{DampedEquation, DampedState, NystromEquation};
 use crate::numerics::functions::pow;
-use crate::numerics::ode::{DampingCoefficients, LegProblem};
+use crate::numerics::ode::LegProblem;
 use crate::numerics::power::power_turning_distance;
 
 /// Without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1; m = 4 for Hertz.
@@ -83,23 +83,24 @@ impl<const HERTZ: bool, const PULLED: bool> NystromEquation for PowerEquation<HE
     }
 }
 
-/// Hertz's law with drag, r = d^(1/m); the drag holds χ, η √(k n) and θ k n.
+/// Hertz's law with drag, r = d^(1/m).
 #[derive(Debug, Clone, Copy)]
 pub struct DampedHertzEquation<const M: u8> {
-    pub k: f64,
-    pub drag: DampingCoefficients,
-    pub pull: f64,
+    k: f64,
+    chi: f64,
+    /// η √(k n).
+    of_root: f64,
+    /// (κ + θ) k n.
+    of_slope: f64,
+    pull: f64,
 }
 
 impl<const M: u8> DampedHertzEquation<M> {
     /// The piece k d^1.5 with the pull and the drag of a path.
     pub fn from_leg(k: f64, path: &LegProblem) -> Self {
-        let (DampingCoefficients { hunt_crossley: chi, viscous: eta, plate: theta }, slope) = (path.drag, 1.5 * k);
-        Self {
-            k,
-            drag: DampingCoefficients { hunt_crossley: chi, viscous: eta * slope.sqrt(), plate: theta * slope },
-            pull: path.constant_acceleration,
-        }
+        let (drag, slope) = (path.drag, 1.5 * k);
+        let (chi, of_root, of_slope) = (drag.hunt_crossley, drag.viscous * slope.sqrt(), drag.per_slope() * slope);
+        Self { k, chi, of_root, of_slope, pull: path.constant_acceleration }
     }
 }
 
@@ -109,19 +110,19 @@ impl<const M: u8> DampedEquation for DampedHertzEquation<M> {
     fn rates(&self, y: f64, u: f64) -> DampedState {
         let square = y * y;
         if M == 2 {
-            // per 2 s: k s³, and θ k n s; η would need the root of s
+            // per 2 s: k s³, and (κ + θ) k n s; η would need the root of s
             let (clock, force) = (y * 2.0, self.k * 2.0 * square * square);
-            let mut drag = force * self.drag.hunt_crossley * u;
-            if self.drag.plate != 0.0 {
-                drag += 2.0 * self.drag.plate * square * u;
+            let mut drag = force * self.chi * u;
+            if self.of_slope != 0.0 {
+                drag += 2.0 * self.of_slope * square * u;
             }
             [u, clock * self.pull - force - drag, clock, drag * u]
         } else {
             let clock = square * 4.0 * y;
             let force = clock * self.k * square * square * square;
-            let mut drag = (force * self.drag.hunt_crossley + clock * self.drag.viscous * y) * u;
-            if self.drag.plate != 0.0 {
-                drag += clock * self.drag.plate * square * u;
+            let mut drag = (force * self.chi + clock * self.of_root * y) * u;
+            if self.of_slope != 0.0 {
+                drag += clock * self.of_slope * square * u;
             }
             [u, clock * self.pull - force - drag, clock, drag * u]
         }

@@ -118,7 +118,7 @@ fn undamped_step_limit_does_not_advise_less_damping() {
     };
     let [free, falling] = [0.0, 0.1].map(|weight| run(weight, DampingCoefficients::NONE));
     assert!(is_of_steps(&free) && is_of_steps(&falling), "{free} {falling}");
-    let damped = run(0.0, Damping::Viscous(0.1).scaled_coefficients(1.0));
+    let damped = run(0.0, DampingCoefficients { viscous: 0.2, ..DampingCoefficients::NONE });
     assert!(is_of_steps(&damped) || damped.to_string().contains("Reduce the damping"), "{damped}");
 }
 

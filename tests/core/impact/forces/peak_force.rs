@@ -1,6 +1,6 @@
 //! The largest contact force under damping: it comes before the deepest point, and is found as an event.
 
-use super::{contact_with_forces, hunt_crossley, viscous};
+use super::{contact_with_forces, hunt_crossley, viscoelastic, viscous};
 use crate::common::prelude::*;
 
 /// The largest force among the rows of a fine trace.
@@ -36,14 +36,17 @@ fn it_is_the_maximum_of_a_fine_trace() {
                 hunt_crossley(0.01 / speed),
                 hunt_crossley(0.5 / speed),
                 hunt_crossley(20.0 / speed),
+                viscoelastic(1e-8),
+                viscoelastic(1e-6),
+                viscoelastic(1e-4),
                 Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.3)), ..Forces::default() },
             ] {
                 let contact = contact_with_forces(&scene, forces);
                 let (of_trace, largest) = largest_of_trace(&contact, speed);
                 let name = format!("{forces:?} at {speed}: {of_trace} {largest}");
                 // near its maximum the force is a parabola: a four-thousandth of the contact beside it misses 1e-5 to 1e-4. A
-                // viscous force jumps up at a knot, and falls from there
-                let jumps = matches!(forces.damping, Some(Damping::Viscous(_)));
+                // force of the stiffness jumps up at a knot, and falls from there
+                let jumps = matches!(forces.damping, Some(Damping::Viscous(_) | Damping::Viscoelastic(_)));
                 assert!(largest >= of_trace * (1.0 - 1e-9), "{name}");
                 assert!(relative_error(of_trace, largest) < if jumps { 2e-3 } else { 1e-4 }, "{name}");
             }
