@@ -5,6 +5,8 @@
 
 use serde_json::{Value, json};
 
+use super::entry::leeb_scale;
+use super::hardness_scales::{leeb_hardness, shore_hardness};
 use super::{Requirement, ResultSpec, result_specs};
 use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::FreeFlight;
@@ -147,6 +149,15 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "wave_loss_fraction" in Percent as "wave loss" [Density: |row| row.wave_loss_fraction];
         /// Restitution reduced by the energy of elastic waves; 0 if the waves would absorb all recovered energy.
         "restitution_with_waves" briefly "restitution with waves" [Density: ImpactRow::restitution_with_waves];
+        /// Leeb hardness: 1000 times the restitution that a test measures, which is `restitution_with_waves` if it is there. The scale is
+        /// that of `leeb_scale`.
+        "leeb_hardness_HL" briefly "Leeb hardness" [LeebTester: |row| Some(leeb_hardness(row.measured_restitution()))];
+        /// Scale of the Leeb tester with this body: HLD, HLD+15, HLC, HLE or HLG.
+        "leeb_scale" briefly "{}" if LEEB: leeb_scale(single.contact, &single.impact.row);
+        /// Shore hardness of a scleroscope, model C: (10000/65) times the ratio of rebound height to drop height, without air, which is the
+        /// square of the restitution that a test measures.
+        "shore_hardness_HSC" briefly "Shore hardness HSC"
+            [Scleroscope: |row| Some(shore_hardness(row.measured_restitution()))];
         /// Normal speed of the sphere at separation; negative if the sphere continues in the direction of the impact (free target).
         "rebound_speed_m_per_s" in Speed as "rebound speed": single.impact.rebound_speed;
         /// Speed of the target after the impact, in the direction of the impact.
