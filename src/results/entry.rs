@@ -203,7 +203,8 @@ pub(crate) const BOUNCES: &str = "the sphere bounces under gravity";
 pub(crate) const CAPTURED: &str = "the sphere is captured";
 pub(crate) const NAMED: &str = "the half-space has a name";
 pub(crate) const DENTS: &str = "the half-space yields and the sphere does not; `null` before first yield";
-pub(crate) const BRINELL: &str = "the same as for `dent_diameter_m`, the half-space is flat, and the diameter of the ball is at least 1 mm; `null` if the diameter of the dent is below 0.24 or above 0.6 of the diameter of the ball (ISO 6506-1)";
+pub(crate) const BRINELL: &str = "the half-space yields and the sphere does not, the half-space is flat, and the diameter of the ball is 1 to 10 mm; `null` if the \
+     diameter of the dent is below 0.24 or above 0.6 of the diameter of the ball (ISO 6506-1)";
 pub(crate) const GIVEN: &str = "the scenario gives it for this step";
 
 /// A list of results from its entries.

@@ -114,8 +114,11 @@ pub fn shore_hardness(restitution: f64) -> f64 {
 
 /// The range of the diameter of the dent over the diameter of the ball in which a Brinell number is valid (ISO 6506-1).
 pub const BRINELL_RANGE: [f64; 2] = [0.24, 0.6];
-/// Diameter \[m\] of the smallest ball of a Brinell test (ISO 6506-1).
-pub const SMALLEST_BRINELL_BALL: f64 = 1e-3;
+/// True for a ball of a Brinell test, by its diameter \[m\]: the smallest has 1 mm and the largest 10 mm (ISO 6506-1).
+pub fn is_brinell_ball(diameter: f64) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    (1e-3 * (1.0 - ROUNDING)..=10e-3 * (1.0 + ROUNDING)).contains(&diameter)
+}
 
 /// Brinell number in kgf/mm²: force \[N\] over the area of the cap of the dent, from the diameters \[m\] of ball and dent. `None` outside of
 /// [`BRINELL_RANGE`].

@@ -9,7 +9,7 @@ use super::terminal::{self, Imprint};
 use crate::contact::pair::imprint_name;
 use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, SetPoint, SpecimenResult, StepResult};
-use crate::results::hardness_scales::{SMALLEST_BRINELL_BALL, brinell_hardness, meyer_hardness};
+use crate::results::hardness_scales::{brinell_hardness, is_brinell_ball, meyer_hardness};
 use crate::results::{ResultSpec, result_specs, to_field_list, to_fields};
 use crate::scenario::Scenario;
 use crate::scenario::input::Body;
@@ -77,7 +77,7 @@ impl StepReport<'_> {
     fn brinell_hardness(&self) -> Option<Option<f64>> {
         let (dent, pair) = (self.dent_diameter()?, &self.tested.pair);
         let ball = 2.0 * pair.radius;
-        let is_test = self.tested.specimen.half_space.radius.is_none() && ball >= SMALLEST_BRINELL_BALL;
+        let is_test = self.tested.specimen.half_space.radius.is_none() && is_brinell_ball(ball);
         is_test.then(|| brinell_hardness(self.step.peak.force, ball, dent?))
     }
 }
