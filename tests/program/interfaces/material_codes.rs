@@ -72,7 +72,7 @@ fn hertz_mindlin_of_edem_has_restitution_of_law() {
         let effective = effective_modulus([modulus("sphere"), modulus("wall")], bodies.map(ratio));
         let damping =
             2.0 * (5.0_f64 / 6.0).sqrt() * damping_ratio(number_after(&text, "coefficient of restitution ", 0));
-        let step = number_after(&text, "time step ", 0);
+        let step = number_after(&text, "; time step ", 0);
         assert_rebound(e, speed, step, |step| rebound(speed, step, effective, damping, true));
         let cut = number_after(&text, "if EDEM does, e is ", 0);
         assert!((rebound(speed, step / 50.0, effective, damping, false) / cut - 1.0).abs() < 2e-3 && cut > e);
