@@ -5,7 +5,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use super::problems::BenchProblem;
-use crate::impact::solve::{closed_form, verlet};
+use crate::impact::solve::{closed_form, fixed_steps};
 use crate::impact::{Method, Solution, Solver, solve};
 use crate::numerics::functions::pow;
 use crate::numerics::ode::{IntegrationError, SolverStats};
@@ -80,7 +80,7 @@ impl Setting {
             }
             Self::Steps(steps) => {
                 let step = problem.exact.contact_time / (f64::from(steps) + phase);
-                verlet::integrate_fixed_steps(law.into(), speed, forces, step, 10 * u64::from(steps), None)
+                fixed_steps::integrate_fixed_steps(law.into(), speed, forces, step, 10 * u64::from(steps), None)
             }
         }
     }

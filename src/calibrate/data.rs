@@ -202,7 +202,7 @@ impl MeasurementData {
             return Err(format!("the column `{name}` has no unit. Write {example}"));
         }
         if !unit.is_empty() && parse(&format!("1 {unit}"), dimension).is_err() {
-            let message = format!("the column `{name}` ends in `{unit}`, which is no unit of {}", dimension.name());
+            let message = format!("the column `{name}` ends in `{unit}`, which is not a unit of {}", dimension.name());
             return Err(format!("{message}. Write {example}, or another unit"));
         }
         let quantity = match role {
@@ -287,7 +287,7 @@ impl DataColumn {
                 (true, false) => ". Write a decimal point, not a comma",
                 _ => "",
             };
-            format!("\"{field}\" is no number{hint}")
+            format!("\"{field}\" is not a number{hint}")
         })?;
         let value = if self.unit.is_empty() {
             number

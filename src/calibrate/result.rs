@@ -114,7 +114,7 @@ impl Calibration<'_> {
         let law = self.fit.problem.input.named_law.name();
         if self.outliers as f64 > MAX_OUTLIER_SHARE * values as f64 {
             return Verdict::Contradicted(format!(
-                "the law {law} does not fit: {} of {values} values deviate by more than {OUTLIER_LIMIT} standard deviations. Outliers are fewer.",
+                "the law {law} does not fit: {} of {values} values deviate by more than {OUTLIER_LIMIT} standard deviations. So many values cannot be outliers.",
                 self.outliers
             ));
         }

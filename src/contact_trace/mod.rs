@@ -45,7 +45,7 @@ pub struct TraceMeasures {
     pub peak_indentation: f64,
     /// Work of the force on the body that is hit while δ rises \[J\].
     pub loading_work: f64,
-    /// Work that the contact has taken \[J\]; below zero, the contact has made energy.
+    /// Work that the contact has taken \[J\]; below zero, the contact has created energy.
     pub net_work: f64,
     /// Error of the works by the finite steps \[J\].
     pub work_error: f64,
@@ -97,12 +97,12 @@ impl TraceMeasures {
         let mut warnings = Vec::new();
         if self.gained_speed() {
             warnings.push(format!(
-                "the contact made energy: the bodies part with {} of the speed of approach. Use a smaller time step, or more damping.",
+                "the contact creates energy: the separation speed is {} of the approach speed. Use a smaller time step, or more damping.",
                 percent(self.rebound_speed, self.speed)
             ));
         } else if self.made_work() {
             warnings.push(format!(
-                "the contact made energy: {} of the work of loading came from nothing. Use a smaller time step, or a force that depends on its history.",
+                "the contact creates energy: the recovered work exceeds the loading work by {}. Use a smaller time step, or a force that depends on its history.",
                 percent(-self.net_work, self.loading_work)
             ));
         }
@@ -114,13 +114,13 @@ impl TraceMeasures {
         }
         if self.first_overlap_in_steps > 1.0 + 1e-6 {
             warnings.push(format!(
-                "the contact begins with an overlap of {:.2} steps, and one step makes less. Insert the bodies without overlap, and detect contacts in every step.",
+                "the first overlap is {:.2} times the largest overlap that one time step makes. Insert the bodies without overlap, and detect contacts in every step.",
                 self.first_overlap_in_steps
             ));
         }
         if self.n_steps < FEW_STEPS {
             warnings.push(format!(
-                "the contact has {} steps, and e has an error of some per cent. Use a time step with 50 steps or more a contact.",
+                "the contact has {} steps, so e has an error of some per cent. Use a time step with at least 50 steps per contact.",
                 self.n_steps
             ));
         }
@@ -130,7 +130,7 @@ impl TraceMeasures {
         let smooth = 10.0 / self.n_steps as f64;
         if jump > smooth.clamp(0.05, 0.5) * self.peak_force {
             warnings.push(format!(
-                "the force jumps by {} of the peak force at {time:e} s. A jump costs or makes energy that depends on the time step.",
+                "the force jumps by {} of the peak force at {time:e} s. A jump absorbs or creates energy, by an amount that depends on the time step.",
                 percent(jump, self.peak_force)
             ));
         }

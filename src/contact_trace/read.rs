@@ -75,7 +75,7 @@ impl ContactTrace {
                 let number = field.parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(|| {
                     let name = names.get(place).map(String::as_str).unwrap_or_default();
                     let message = format!(
-                        "column {}, `{name}`: \"{field}\" is no number. Give a value, or remove the line.",
+                        "column {}, `{name}`: \"{field}\" is not a number. Give a value, or remove the line.",
                         place + 1
                     );
                     (Some(line), message)
@@ -85,7 +85,7 @@ impl ContactTrace {
             let [time, indentation, force] = values;
             if let Some(before) = steps.last().filter(|before| before.time >= time) {
                 let message = format!(
-                    "the time {time:e} s is not after {:e} s of the line before. Sort the lines, and leave one contact alone.",
+                    "the time {time:e} s is not later than {:e} s in the line before. Sort the lines, and keep the lines of one contact only.",
                     before.time
                 );
                 return Err((Some(line), message));
@@ -106,7 +106,9 @@ impl ContactTrace {
         }
         let total: f64 = steps.iter().map(|step| step.force).sum();
         if total < 0.0 {
-            notes.push("the force is negative in contact: it is taken as the force on the body that is hit".to_owned());
+            notes.push(
+                "the force is negative in contact: the program treats the column as the force on the target".to_owned(),
+            );
             for step in &mut steps {
                 step.force = -step.force;
             }
@@ -124,7 +126,7 @@ impl ContactTrace {
             [contact] => contact,
             [first, second, ..] => {
                 let message = format!(
-                    "has {} contacts: {}, {} and so on. Leave one contact, with the steps without force before and after it.",
+                    "has {} contacts: {}, {} and so on. Keep one contact, with the steps without force before and after the contact.",
                     contacts.len(),
                     lines(first),
                     lines(second)
@@ -137,7 +139,7 @@ impl ContactTrace {
         let n = last - first + 1;
         if n < MIN_STEPS {
             let message = format!(
-                "the contact has {n} steps with a force, and {MIN_STEPS} are needed. Write every time step, or use a smaller one."
+                "the contact has {n} steps with a force, and at least {MIN_STEPS} are needed. Write every time step, or use a smaller time step."
             );
             return Err((Some(steps[first].line), message));
         }
@@ -208,12 +210,12 @@ fn find_columns(header: &csv::StringRecord, notes: &mut Vec<String>) -> Result<[
         *found = (
             *place,
             scale.map_err(|_| {
-                format!("the column `{name}` ends in `{unit}`, which is no unit of {}.", dimension.name())
+                format!("the column `{name}` ends in `{unit}`, which is not a unit of {}.", dimension.name())
             })?,
         );
     }
     if !without_unit.is_empty() {
-        notes.push(format!("no unit is in the names of {}: SI is assumed", without_unit.join(", ")));
+        notes.push(format!("the names of {} have no unit: SI is assumed", without_unit.join(", ")));
     }
     Ok(found)
 }

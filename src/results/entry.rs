@@ -54,7 +54,7 @@ pub enum Requirement {
     Rate,
     /// The yield strength of the sphere: without it there is no flat.
     Flat,
-    /// The density of a half-space that is no plate: without it elastic waves are not computed.
+    /// The density of a half-space that is not a plate: without it elastic waves are not computed.
     Density,
     Thickness,
     /// An angle or a spin: without them nothing slides.
@@ -171,7 +171,7 @@ pub(crate) const INTERVAL: &str = "the interval is known: a body yields under th
      or `strength_kind = \"proof\"`";
 pub(crate) const NOTES: &str =
     "a body yields, and the scenario does not define the kind of the strength or the exponent of the law";
-pub(crate) const WAVES: &str = "the half-space has a density and no mass, the target is no plate, the contact is not damped, and the sphere rebounds";
+pub(crate) const WAVES: &str = "the half-space has a density and no mass, the target is not a plate, the contact is not damped, and the sphere rebounds";
 pub(crate) const OBLIQUE: &str = "the impact is oblique, or the sphere spins";
 pub(crate) const CROSS: &str = "the sphere has a spin about its path or about the normal";
 pub(crate) const FREE: &str = "the target has a mass and is free to move";

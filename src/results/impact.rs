@@ -270,7 +270,7 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "unloading_radius_m" in Length if YIELDS: single.if_yields(single.impact.unloading_radius);
         /// Radius of curvature of the dent; `null` without a dent.
         "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: single.if_yields(single.impact.residual_radius);
-        /// Diameter of the rim of the dent: twice the maximum contact radius; `null` without a dent.
+        /// Diameter of the dent: twice the maximum contact radius; the rim in a microscope is a little wider; `null` without a dent.
         "dent_diameter_m" in Length briefly "dent diameter"
             [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
         /// Both ends of the uncertainty interval (95 %) of the dent diameter: hardness of a named material, and law.

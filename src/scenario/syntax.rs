@@ -32,10 +32,10 @@ fn quotes_message(text: &str, at: usize) -> Option<String> {
     };
     let meant = with_point.as_deref().unwrap_or(value);
     if meant.contains(char::is_alphabetic) {
-        return Some(format!("a value with a unit, and a word, needs quotes. Write \"{meant}\""));
+        return Some(format!("values with units, and words, need quotes. Write \"{meant}\""));
     }
     let number = with_point.filter(|number| number.parse::<f64>().is_ok())?;
-    Some(format!("a number has a decimal point, and no comma. Write {number}"))
+    Some(format!("a number needs a decimal point, not a comma. Write {number}"))
 }
 
 fn is_digit(character: char) -> bool {
@@ -62,8 +62,8 @@ fn duplicate_message(text: &str, span: &Range<usize>) -> Option<String> {
     let first = first.map(|line| line + before[..from].matches('\n').count() + 1);
     let first = first.map_or_else(String::new, |line| format!(", first in line {line}"));
     Some(match table {
-        Some(table) => format!("[{table}] is there twice{first}. Put all keys below one of the two."),
-        None => format!("`{name}` is there twice{first}. Remove one of the two."),
+        Some(table) => format!("[{table}] is given twice{first}. Put all keys below one of the two."),
+        None => format!("`{name}` is given twice{first}. Remove one of the two."),
     })
 }
 

@@ -2,7 +2,7 @@
 //! spaces around values. Semicolons or tabs may stand between the columns, and the numbers may then have decimal commas, as
 //! spreadsheets write them in many countries.
 
-use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
+use csv::{ErrorKind, Position, Reader, ReaderBuilder, StringRecord, Trim};
 
 /// The line, counted from 1, and what is wrong there.
 pub type CsvError = (Option<u64>, String);
@@ -50,7 +50,11 @@ impl<'t> CsvReader<'t> {
                     ". If the numbers have decimal commas, write semicolons between the columns, in the first line too"
                 };
                 let count = header.len();
-                Err((line, format!("this line has not as many values as there are columns ({count}){hint}")))
+                let values = match error.kind() {
+                    ErrorKind::UnequalLengths { len, .. } => format!(" (values: {len}, columns: {count})"),
+                    _ => format!(" (columns: {count})"),
+                };
+                Err((line, format!("this line must have one value per column{values}{hint}")))
             }
         })
     }
@@ -85,7 +89,7 @@ impl DecimalSigns {
         }
         match (&self.comma, &self.point) {
             (Some(comma), Some(point)) => Err(format!(
-                "the file has numbers with decimal commas ({comma}) and with decimal points ({point}); write all with one sign, and none between thousands"
+                "the file has numbers with decimal commas ({comma}) and with decimal points ({point}); use one decimal sign, and no thousands separators"
             )),
             _ => Ok(plain),
         }

@@ -45,7 +45,7 @@ impl Shard {
             let text = variable(name).unwrap_or_default();
             let reason = || {
                 Error::input(format!(
-                    "--shard auto: {name}=\"{text}\" is no whole number, as this is no task of a Slurm array job; write i/n"
+                    "--shard auto: {name}=\"{text}\" is not a whole number. auto works only in a task of a Slurm array job. Elsewhere write i/n, such as 0/16."
                 ))
             };
             text.trim().parse::<u64>().map_err(|_| reason())

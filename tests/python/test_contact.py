@@ -215,7 +215,7 @@ def test_friction_is_mindlin_and_coulomb(contact: plm.Contact) -> None:
 @pytest.mark.parametrize(
     ("indentation", "memory", "error", "text"),
     [
-        ([1e-6], [[1.0, 1.0, 1.0]], ValueError, "contact 0: the memory .* is none of this contact"),
+        ([1e-6], [[1.0, 1.0, 1.0]], ValueError, "contact 0: the memory .* does not belong to this contact"),
         ([1e-6], [[1e-6, np.nan, 0.0]], ValueError, "none of this contact"),
         ([1e-6], np.zeros((2, 3)), ValueError, r"shape \[2, 3\], expected \[1, 3\]"),
         ([1e-6], np.zeros(3), ValueError, r"shape \[3\]"),

@@ -308,7 +308,9 @@ fn shards_that_cannot_be_are_refused() {
     {
         assert!(ends(run(&desk, "out", None, &["--shard", shard]), 2).contains(wanted));
     }
-    assert!(ends(run(&desk, "out", None, &["--shard", "auto"]), 2).contains("no task of a Slurm array job; write i/n"));
+    assert!(
+        ends(run(&desk, "out", None, &["--shard", "auto"]), 2).contains("works only in a task of a Slurm array job")
+    );
     assert!(!desk.path("out").exists());
 }
 

@@ -93,7 +93,7 @@ fn pictures_that_are_removed_are_named() {
     let desk = Sandbox::with(STEEL);
     desk.run_expecting(&RUN, 0);
     let said = desk.run_expecting(&[&RUN[..], &["--pictures", "none"]].concat(), 0).1;
-    assert!(said.contains("o: removed force_indentation.png, history.png of the run before"), "{said}");
+    assert!(said.contains("o: removed force_indentation.png, history.png of an earlier run"), "{said}");
     let said = desk.run_expecting(&[&RUN[..], &["--pictures", "none"]].concat(), 0).1;
     assert!(!said.contains("removed"), "{said}");
 }
@@ -112,7 +112,7 @@ fn table_stays_when_written_in_other_format() {
     let older = desk.read("o/summary.json").replace("\"numbers_version\": ", "\"numbers_version\": 1000");
     desk.write("o/summary.json", older);
     let said = desk.run_expecting(&[&run[..], &["--format", "parquet"]].concat(), 0).1;
-    assert!(said.contains("o: removed table.csv of the run before") && !desk.path("o/table.csv").exists(), "{said}");
+    assert!(said.contains("o: removed table.csv of an earlier run") && !desk.path("o/table.csv").exists(), "{said}");
     // an edited scenario has neither
     fs::write(desk.path("s.toml"), STEEL).unwrap();
     desk.run_expecting(&run, 0);

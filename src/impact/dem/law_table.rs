@@ -39,9 +39,9 @@ pub struct LawTable {
 /// Why a law cannot be written as such a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum LawTableError {
-    #[error("its loading does not begin as Hertz's contact")]
+    #[error("its loading does not begin with Hertz's law")]
     NoElasticLoading,
-    #[error("its unloading curve is no power of the distance")]
+    #[error("its unloading curve is not a power of the distance")]
     UnloadingCurve,
     #[error("its formulas cannot be followed to 14 digits")]
     Fit,

@@ -78,12 +78,12 @@ pub enum IndentationError {
     NoMove { step: usize },
     /// A step whose contact is wider than any sphere.
     #[error(
-        "step {step} makes a contact with a radius of {contact_radius:.4e} m, wider than the sphere with its radius of {radius:.4e} m, where no contact law holds; lower the target"
+        "step {step}: the contact radius would be {contact_radius:.4e} m, and the radius of the sphere is {radius:.4e} m. No contact law applies there. Reduce the target."
     )]
     TooWide { step: usize, contact_radius: f64, radius: f64 },
     /// A step deeper than any sphere can go.
     #[error(
-        "step {step} presses the sphere in by {indentation:.4e} m, deeper than its radius of {radius:.4e} m, where no contact law holds; lower the target"
+        "step {step}: the indentation would be {indentation:.4e} m, and the radius of the sphere is {radius:.4e} m. No contact law applies there. Reduce the target."
     )]
     TooDeep {
         step: usize,

@@ -22,86 +22,9 @@
 use super::kinks::{first_kink, parabola_slopes, sliding_share};
 use super::normal_motion::NormalMotion;
 use super::profile::{NormalState, SpringProfile};
+use super::slip_result::{Friction, SlipResult, SlipStep};
 use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::numerics::ode::IntegrationError;
-
-/// The change of the slip speed.
-#[derive(Debug)]
-pub(in crate::impact) struct SlipResult {
-    /// σ_1/σ_0, which is s_1/s_0.
-    pub(super) ratio: f64,
-    /// Its error: the sum of the errors of the steps.
-    pub(super) error: f64,
-    /// True if the contact point slides during the whole contact.
-    pub(super) is_sliding: bool,
-    /// The time of its end.
-    pub(super) end: f64,
-    /// The steps, in order of time; empty if they are not requested or not needed.
-    pub(super) steps: Vec<SlipStep>,
-}
-
-/// A step of a run, for its trace.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct SlipStep {
-    start: f64,
-    length: f64,
-    /// σ/σ_0 at the start.
-    slip: f64,
-    /// (5/2) χ/σ_0: what T changes of σ/σ_0.
-    rate: f64,
-    friction: Friction,
-}
-
-/// T during a step.
-#[derive(Debug, Clone, Copy)]
-enum Friction {
-    /// T equals the contact force, and acts against a slip to this side. `impulse` is the impulse at the start.
-    Sliding { side: f64, impulse: f64 },
-    /// T at start, middle and end, interpolated by a parabola.
-    Partial([f64; 3]),
-}
-
-impl SlipStep {
-    /// σ/σ_0 and T at a time of the step, where the contact has this force and this impulse so far.
-    fn slip_and_force(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
-        match self.friction {
-            Friction::Sliding { side, impulse: before } => {
-                [self.slip - side * self.rate * (impulse - before), -side * force]
-            }
-            Friction::Partial([a, b, c]) => {
-                let z = ((time - self.start) / self.length).clamp(0.0, 1.0);
-                let (slope, curve) = (-3.0 * a + 4.0 * b - c, 2.0 * (a - 2.0 * b + c));
-                let way = z * (a + z * (0.5 * slope + z * curve / 3.0));
-                [self.slip + self.rate * self.length * way, a + z * (slope + z * curve)]
-            }
-        }
-    }
-}
-
-impl SlipResult {
-    /// A change that is known without steps.
-    pub(super) fn without_steps(ratio: f64, is_sliding: bool) -> Self {
-        Self { ratio, error: 0.0, is_sliding, end: 0.0, steps: Vec::new() }
-    }
-
-    /// The change from a smaller σ_0, in this ratio to the σ_0 of the run. Both are so small that springs slip only at the rim, so σ is
-    /// proportional to σ_0.
-    pub(super) fn scale_by(mut self, share: f64) -> Self {
-        for step in &mut self.steps {
-            if let Friction::Partial(friction) = &mut step.friction {
-                *friction = friction.map(|part| part * share);
-                step.rate /= share;
-            }
-        }
-        self
-    }
-
-    /// σ/σ_0 and T at a time, where the contact has this force and this impulse so far.
-    pub(super) fn slip_and_force(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
-        let step = self.steps.partition_point(|step| step.start <= time).saturating_sub(1);
-        self.steps.get(step).map_or([self.ratio, 0.0], |step| step.slip_and_force(time, force, impulse))
-    }
-}
 
 /// The state of a run.
 #[derive(Debug, Clone)]
@@ -174,6 +97,12 @@ impl TangentialState {
         [self.speed, self.profile.shift]
     }
 
+    /// How far this state differs from another, in M', M and M''.
+    fn difference(&self, other: &Self) -> [f64; 3] {
+        let [speed, shift] = [0, 1].map(|part| self.motion()[part] - other.motion()[part]);
+        [speed, shift, self.acceleration - other.acceleration]
+    }
+
     /// Improves two half steps by their difference to a whole step.
     fn extrapolate(&mut self, [speed, shift, acceleration]: [f64; 3]) {
         self.speed += speed;
@@ -207,113 +136,192 @@ impl NormalMotion<'_> {
         accuracy: f64,
         has_steps: bool,
     ) -> Result<SlipResult, IntegrationError> {
-        /// The longest step and the first step, as fractions of half the contact time.
-        const MAX_STEP: f64 = 0.3;
-        const FIRST_STEP: f64 = 0.01;
-        /// Two half steps are compared with a whole step, and the difference improves them. This fraction of the difference is the
-        /// estimate of the error that remains.
-        const REMAINING_ERROR_SHARE: f64 = 0.12;
-        /// The fraction of the accuracy that every step may use, however short it is.
-        const MIN_STEP_ACCURACY_SHARE: f64 = 0.02;
-        /// The fraction of the accuracy that is allowed as the error of a piece of the profile.
-        const MERGE_ACCURACY_SHARE: f64 = 0.2;
-        /// Maximum number of steps of a run.
-        const MAX_STEPS: u64 = 50_000;
+        let mut run = SlipRun::new(self, sigma, chi, accuracy, has_steps);
+        let peak = self.durations[0];
+        for &end in &self.smooth_ends {
+            let distance = (end - run.state.rim.time).min(peak - end);
+            if end >= peak || distance >= run.min_piece {
+                run.advance_to(end)?;
+            }
+        }
+        let ratio = run.state.speed / run.first_speed;
+        let SlipRun { error, is_sliding, steps, .. } = run;
+        Ok(SlipResult { ratio, error, is_sliding, end: self.durations[1], steps: steps.unwrap_or_default() })
+    }
+}
+
+/// The longest step and the first step, as fractions of half the contact time.
+const MAX_STEP: f64 = 0.3;
+const FIRST_STEP: f64 = 0.01;
+/// Two half steps are compared with a whole step, and the difference improves them. This fraction of the difference is the
+/// estimate of the error that remains.
+const REMAINING_ERROR_SHARE: f64 = 0.12;
+/// The fraction of the accuracy that every step may use, however short it is.
+const MIN_STEP_ACCURACY_SHARE: f64 = 0.02;
+/// The fraction of the accuracy that is allowed as the error of a piece of the profile.
+const MERGE_ACCURACY_SHARE: f64 = 0.2;
+/// Maximum number of steps of a run.
+const MAX_STEPS: u64 = 50_000;
+
+/// A run along the normal motion, from first contact on.
+struct SlipRun<'a> {
+    motion: &'a NormalMotion<'a>,
+    /// (3/2) σ_0: M' at first contact.
+    first_speed: f64,
+    /// (15/4) χ: M'' over T.
+    rate: f64,
+    accuracy: f64,
+    /// Half the contact time.
+    duration: f64,
+    /// A kink that is nearer to the end of a step costs less than the accuracy allows.
+    near: f64,
+    /// A joint of the law that is nearer to the joint before costs less than the accuracy allows.
+    min_piece: f64,
+    /// The error that is allowed in a piece of the profile.
+    merge_error: f64,
+    state: TangentialState,
+    /// The state after a whole step, and after two half steps.
+    trial_states: [TangentialState; 2],
+    /// The length of the next step.
+    length: f64,
+    count: u64,
+    /// The sum of the errors of the steps.
+    error: f64,
+    is_sliding: bool,
+    /// The steps, if they are requested.
+    steps: Option<Vec<SlipStep>>,
+}
+
+impl<'a> SlipRun<'a> {
+    fn new(motion: &'a NormalMotion<'a>, sigma: f64, chi: f64, accuracy: f64, has_steps: bool) -> Self {
         // behind a jump a step is of first order, and the improved half steps have a larger error
-        let accuracy = if self.has_limit_jumps || !self.is_smooth_at_touch { 0.2 * accuracy } else { accuracy };
-        let rate = 1.5 * 2.0 * FORCE_FACTOR * chi;
-        let start = 1.5 * sigma;
-        let rim = self.state_at(0.0);
-        let mut state =
-            TangentialState { profile: SpringProfile::new(), rim, speed: start, acceleration: 0.0, jerk: 0.0 };
-        let (mut whole, mut halves) = (state.clone(), state.clone());
-        let (mut steps, mut sum, mut is_sliding) = (Vec::new(), 0.0, true);
-        let [peak, last] = self.durations;
+        let accuracy = if motion.has_limit_jumps || !motion.is_smooth_at_touch { 0.2 * accuracy } else { accuracy };
+        let (first_speed, rate) = (1.5 * sigma, 1.5 * 2.0 * FORCE_FACTOR * chi);
+        let (rim, profile) = (motion.state_at(0.0), SpringProfile::new());
+        let state = TangentialState { profile, rim, speed: first_speed, acceleration: 0.0, jerk: 0.0 };
+        let [peak, last] = motion.durations;
         let duration = 0.5 * last;
         // on a plate the sphere arrives fast and separates slowly
         let quick = duration.min(peak);
-        let mut length = FIRST_STEP * quick;
-        // a kink that is nearer to the end of a step costs less than allowed, and so does a joint that is nearer to the joint before
-        let near = 0.025 * accuracy.sqrt() * quick;
-        let apart = 0.3 * accuracy.sqrt().sqrt() * quick;
-        let joined = MERGE_ACCURACY_SHARE * accuracy * start / (rate * self.state_at(peak).square.sqrt() * duration);
-        let mut count = 0;
-        for &end in &self.smooth_ends {
-            if end < peak && (end - state.rim.time).min(peak - end) < apart {
-                continue;
+        let largest_radius = motion.state_at(peak).square.sqrt();
+        Self {
+            motion,
+            first_speed,
+            rate,
+            accuracy,
+            duration,
+            near: 0.025 * accuracy.sqrt() * quick,
+            min_piece: 0.3 * accuracy.sqrt().sqrt() * quick,
+            merge_error: MERGE_ACCURACY_SHARE * accuracy * first_speed / (rate * largest_radius * duration),
+            trial_states: [state.clone(), state.clone()],
+            state,
+            length: FIRST_STEP * quick,
+            count: 0,
+            error: 0.0,
+            is_sliding: true,
+            steps: has_steps.then(Vec::new),
+        }
+    }
+
+    /// Steps to this time, until which the normal motion is smooth.
+    fn advance_to(&mut self, end: f64) -> Result<(), IntegrationError> {
+        while self.state.rim.time < end {
+            self.count += 1;
+            if self.count > MAX_STEPS {
+                return Err(IntegrationError::TooManyFrictionSteps { steps: MAX_STEPS });
             }
-            while state.rim.time < end {
-                count += 1;
-                if count > MAX_STEPS {
-                    return Err(IntegrationError::TooManyFrictionSteps { steps: MAX_STEPS });
-                }
-                let left = end - state.rim.time;
-                length = length.min(MAX_STEP * duration);
-                let is_last = length >= left * (1.0 - 1e-9);
-                length = if is_last { left } else { length.min(0.5 * left) };
-                let at = state.rim.time;
-                let to = if is_last { end } else { at + length };
-                let [first, second, third] = [0.25, 0.5, 0.75].map(|share| self.state_at(at + share * length));
-                let rims = [state.rim, first, second, third, self.state_at(to)];
-                let side = if at == 0.0 {
-                    self.is_smooth_at_touch.then_some(1.0)
-                } else {
-                    state.profile.slip_side(state.rim.coulomb_limit)
-                };
-                if let Some(side) = side.filter(|_| !self.has_limit_jumps) {
-                    let friction = Friction::Sliding { side, impulse: state.rim.impulse };
-                    let step = SlipStep { start: at, length, slip: state.speed / start, friction, rate: rate / start };
-                    let share = state.slide(&rims, side, rate, near);
-                    if share == 1.0 {
-                        if has_steps {
-                            steps.push(step);
-                        }
-                        length = MAX_STEP * duration;
-                        continue;
-                    }
-                    if share * length > near {
-                        length *= share;
-                        continue;
-                    }
-                }
-                is_sliding = false;
-                halves.clone_from_state(&state);
-                let first = halves.step(rims[1], rims[2], rate);
-                let middle = halves.motion();
-                let second = halves.step(rims[3], rims[4], rate);
-                let motion = [state.motion(), middle, halves.motion()];
-                if let Some(share) = first_kink(&rims, motion, state.profile.central_stretch(), near) {
-                    length *= share;
-                    continue;
-                }
-                whole.clone_from_state(&state);
-                whole.step(rims[2], rims[4], rate);
-                let off = |part: fn(&TangentialState) -> f64| part(&halves) - part(&whole);
-                let offs = [off(|s| s.speed), off(|s| s.profile.shift), off(|s| s.acceleration)];
-                // an error of the force acts for one oscillation at most
-                let swing = (rate * rims[4].square.sqrt()).sqrt().recip();
-                let weights = [1.0, duration.recip(), swing.min(last - to)];
-                let error: f64 = offs.iter().zip(weights).map(|(off, weight)| off.abs() * weight).sum();
-                let error = REMAINING_ERROR_SHARE * error / start.abs();
-                let tolerance = accuracy * (length / last + MIN_STEP_ACCURACY_SHARE);
-                if error <= tolerance || length < 1e-7 * duration {
-                    if has_steps {
-                        let half = |time: f64, speed: f64, friction| {
-                            let slip = speed / start;
-                            let friction = Friction::Partial(friction);
-                            SlipStep { start: time, length: 0.5 * length, slip, friction, rate: rate / start }
-                        };
-                        steps.push(half(at, state.speed, first));
-                        steps.push(half(rims[2].time, middle[0], second));
-                    }
-                    sum += error;
-                    halves.extrapolate(offs.map(|off| off / 15.0));
-                    std::mem::swap(&mut state, &mut halves);
-                    state.profile.merge_pieces(joined);
-                }
-                length *= (0.9 * (tolerance / error).sqrt().sqrt()).clamp(0.2, 3.0);
+            let rims = self.next_rims(end);
+            if !self.try_sliding_step(&rims) {
+                self.try_step(&rims);
             }
         }
-        Ok(SlipResult { ratio: state.speed / start, error: sum, is_sliding, end: last, steps })
+        Ok(())
+    }
+
+    /// The normal motion at the start, the quarters and the end of the next step, which does not pass this time.
+    fn next_rims(&mut self, end: f64) -> [NormalState; 5] {
+        let at = self.state.rim.time;
+        let left = end - at;
+        self.length = self.length.min(MAX_STEP * self.duration);
+        let is_last = self.length >= left * (1.0 - 1e-9);
+        self.length = if is_last { left } else { self.length.min(0.5 * left) };
+        let [first, second, third] = [0.25, 0.5, 0.75].map(|share| self.motion.state_at(at + share * self.length));
+        let to = if is_last { end } else { at + self.length };
+        [self.state.rim, first, second, third, self.motion.state_at(to)]
+    }
+
+    /// Makes a step if all springs slip, or shortens the next step to the time until which they slip. Returns false if they stick.
+    fn try_sliding_step(&mut self, rims: &[NormalState; 5]) -> bool {
+        let NormalState { time, coulomb_limit, impulse, .. } = rims[0];
+        let side = match time {
+            0.0 => self.motion.is_smooth_at_touch.then_some(1.0),
+            _ => self.state.profile.slip_side(coulomb_limit),
+        };
+        let Some(side) = side.filter(|_| !self.motion.has_limit_jumps) else { return false };
+        let step = self.step_from(time, self.length, self.state.speed, Friction::Sliding { side, impulse });
+        let share = self.state.slide(rims, side, self.rate, self.near);
+        if share == 1.0 {
+            if let Some(steps) = &mut self.steps {
+                steps.push(step);
+            }
+            self.length = MAX_STEP * self.duration;
+            return true;
+        }
+        let slips = share * self.length > self.near;
+        if slips {
+            self.length *= share;
+        }
+        slips
+    }
+
+    /// Makes a step in which springs stick, as two half steps, if a kink or the error does not shorten it. Sets the length of the next step.
+    fn try_step(&mut self, rims: &[NormalState; 5]) {
+        self.is_sliding = false;
+        let [whole, halves] = &mut self.trial_states;
+        halves.clone_from_state(&self.state);
+        let first = halves.step(rims[1], rims[2], self.rate);
+        let middle = halves.motion();
+        let second = halves.step(rims[3], rims[4], self.rate);
+        let motion = [self.state.motion(), middle, halves.motion()];
+        if let Some(share) = first_kink(rims, motion, self.state.profile.central_stretch(), self.near) {
+            self.length *= share;
+            return;
+        }
+        whole.clone_from_state(&self.state);
+        whole.step(rims[2], rims[4], self.rate);
+        let difference = halves.difference(whole);
+        let error = self.error_of(difference, &rims[4]);
+        let last = self.motion.durations[1];
+        let tolerance = self.accuracy * (self.length / last + MIN_STEP_ACCURACY_SHARE);
+        if error <= tolerance || self.length < 1e-7 * self.duration {
+            let half = 0.5 * self.length;
+            let steps = [
+                self.step_from(rims[0].time, half, self.state.speed, Friction::Partial(first)),
+                self.step_from(rims[2].time, half, middle[0], Friction::Partial(second)),
+            ];
+            if let Some(made) = &mut self.steps {
+                made.extend(steps);
+            }
+            self.error += error;
+            let halves = &mut self.trial_states[1];
+            halves.extrapolate(difference.map(|part| part / 15.0));
+            std::mem::swap(&mut self.state, halves);
+            self.state.profile.merge_pieces(self.merge_error);
+        }
+        self.length *= (0.9 * (tolerance / error).sqrt().sqrt()).clamp(0.2, 3.0);
+    }
+
+    /// The error of σ_1/σ_0 that remains after two half steps, from their difference to a whole step.
+    fn error_of(&self, difference: [f64; 3], end: &NormalState) -> f64 {
+        // an error of the force acts for one oscillation at most
+        let swing = (self.rate * end.square.sqrt()).sqrt().recip();
+        let weights = [1.0, self.duration.recip(), swing.min(self.motion.durations[1] - end.time)];
+        let error: f64 = difference.iter().zip(weights).map(|(part, weight)| part.abs() * weight).sum();
+        REMAINING_ERROR_SHARE * error / self.first_speed.abs()
+    }
+
+    /// The step with this friction, for the trace.
+    fn step_from(&self, start: f64, length: f64, speed: f64, friction: Friction) -> SlipStep {
+        SlipStep { start, length, slip: speed / self.first_speed, rate: self.rate / self.first_speed, friction }
     }
 }

@@ -19,6 +19,7 @@ pub mod mindlin;
 pub mod normal_motion;
 mod profile;
 mod slip;
+mod slip_result;
 mod tangential_motion;
 
 use super::problem::contact::{Contact, shear_compliance};
@@ -30,9 +31,9 @@ use crate::contact::body::{InvalidInput, Material, OutOfFloatRange, Support};
 use crate::contact::law::UnloadingRule;
 use crate::numerics::functions::atan2;
 pub use approach::Approach;
-use mindlin::SlipResult;
 use normal_motion::NormalMotion;
 use slip::{Slip, SlipBalance};
+use slip_result::SlipResult;
 pub use tangential_motion::{CrossMotion, TangentialMotion};
 
 /// The results of an oblique impact that are columns of a table. SI units.

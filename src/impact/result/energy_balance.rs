@@ -7,7 +7,8 @@ use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy};
 use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
 use crate::impact::solve::recorder::{Event, TracePoint};
-use crate::numerics::ode::MotionState;
+use crate::numerics::ode::{IntegrationError, MotionState};
+use crate::numerics::power::nan_max;
 
 /// A row of the trace of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,7 +80,7 @@ impl<'a> EnergyBalance<'a> {
     }
 
     /// The error at the peak. With damping the loss up to the peak is not known, and the error is set to 0.
-    pub(in crate::impact) fn error_at_peak(&self) -> f64 {
+    fn error_at_peak(&self) -> f64 {
         if !self.case.forces.is_conservative() {
             return 0.0;
         }
@@ -88,7 +89,7 @@ impl<'a> EnergyBalance<'a> {
     }
 
     /// The row of the trace at a point of the motion.
-    pub(in crate::impact) fn row(&self, point: &TracePoint) -> TraceRow {
+    fn row(&self, point: &TracePoint) -> TraceRow {
         let TracePoint { at: MotionState { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
         let ContactState { indentation: x, force, elastic_approach } = state;
         let ScaledImpact { ground, scales, .. } = self.case;
@@ -119,5 +120,30 @@ impl<'a> EnergyBalance<'a> {
             event,
             energy_balance_error: self.balance_error(speed, potential, loss / FORCE_FACTOR, x),
         }
+    }
+
+    /// The rows of a trace at these points, and the largest error in them, at the peak and at the end.
+    pub(in crate::impact) fn rows(&self, points: &[TracePoint]) -> Result<(Vec<TraceRow>, f64), IntegrationError> {
+        let mut rows: Vec<TraceRow> = points.iter().map(|point| self.row(point)).collect();
+        let errors = rows.iter().map(|row| row.energy_balance_error);
+        let errors = errors.chain([self.error_at_peak(), self.error_at_end()]);
+        let largest = errors.fold(0.0, |worst, error: f64| nan_max(worst, error.abs()));
+        if !largest.is_finite() {
+            // from the first row of the trace on, or from the end
+            let row = rows.iter().find(|row| !row.energy_balance_error.is_finite());
+            let time = row.map_or(self.outcome.contact_time, |row| row.time / self.case.scales.time());
+            return Err(IntegrationError::NotFinite { time });
+        }
+        remove_duplicate_end_rows(&mut rows);
+        Ok((rows, largest))
+    }
+}
+
+/// Removes rows at the time of the last row, a sample or a peak, because the last row holds the same values.
+fn remove_duplicate_end_rows(trace: &mut Vec<TraceRow>) {
+    while let [.., before, end] = trace.as_slice()
+        && before.time == end.time
+    {
+        trace.remove(trace.len() - 2);
     }
 }

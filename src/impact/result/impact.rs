@@ -9,8 +9,7 @@ use crate::impact::problem::error::ImpactError;
 use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::Method;
 use crate::impact::solve::outcome::{FixedSteps, ImpactEnd, ScaledResult, Solution};
-use crate::numerics::ode::{IntegrationError, SolverStats};
-use crate::numerics::power::nan_max;
+use crate::numerics::ode::SolverStats;
 
 /// The energies of an impact \[J\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -131,7 +130,7 @@ pub struct Impact {
     pub force_at_peak_indentation: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub peak_mean_pressure: f64,
-    /// Radius of the rim of the dent \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
+    /// Radius of the dent \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
     pub dent_radius: Option<f64>,
     pub energy: Energy,
     pub stats: SolverStats,
@@ -166,18 +165,7 @@ impl Impact {
         let pair = contact.pair();
         let peak = &outcome.unloading.peak;
         let balance = EnergyBalance::new(contact, case, outcome);
-        let mut trace: Vec<TraceRow> = points.iter().map(|point| balance.row(point)).collect();
-        let rows = trace.iter().map(|row| row.energy_balance_error);
-        let balance_error = rows
-            .chain([balance.error_at_peak(), balance.error_at_end()])
-            .fold(0.0, |worst, d: f64| nan_max(worst, d.abs()));
-        if !balance_error.is_finite() {
-            // from the first row of the trace on, or from the end
-            let row = trace.iter().find(|row| !row.energy_balance_error.is_finite());
-            let time = row.map_or(outcome.contact_time, |row| row.time / scales.time());
-            return Err(IntegrationError::NotFinite { time }.into());
-        }
-        remove_duplicate_end_rows(&mut trace);
+        let (trace, balance_error) = balance.rows(points)?;
         let has_dent = row.has_dent();
         let is_in_half_space = row.dent_depth() > 0.0;
         let dent = ground.deepest_state(peak);
@@ -246,14 +234,5 @@ impl Impact {
     /// The simulated time \[s\]: the contact time, or the time to the end of the run of a captured sphere.
     pub fn duration(&self) -> f64 {
         self.captured_result().map_or(self.row.contact_time, |under| under.end_time)
-    }
-}
-
-/// Removes rows at the time of the last row, a sample or a peak, because the last row holds the same values.
-fn remove_duplicate_end_rows(trace: &mut Vec<TraceRow>) {
-    while let [.., before, end] = trace.as_slice()
-        && before.time == end.time
-    {
-        trace.remove(trace.len() - 2);
     }
 }

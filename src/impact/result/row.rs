@@ -107,6 +107,65 @@ impl PlateResult {
     }
 }
 
+/// Kinetic energy at first contact \[J\]. A sphere released at rest has the kinetic energy 0, which is no underflow.
+fn kinetic_energy_in(contact: &Contact, speed: f64) -> Result<f64, OutOfFloatRange> {
+    let is_at_rest = speed == 0.0 && !contact.forces().is_none();
+    if is_at_rest {
+        Ok(0.0)
+    } else {
+        finite_positive("kinetic energy (J)", 0.5 * contact.reduced_mass() * speed * speed)
+    }
+}
+
+/// Fraction of the kinetic energy that waves carry into the half-space; `None` without a density, for a captured sphere, and for a
+/// sphere released at rest.
+fn wave_loss_fraction(
+    contact: &Contact,
+    speed: f64,
+    case: &ScaledImpact,
+    outcome: &ScaledResult,
+) -> Result<Option<f64>, ImpactError> {
+    let radiates = outcome.end == ImpactEnd::Separated && speed != 0.0;
+    let Some(waves) = contact.waves().filter(|_| radiates) else { return Ok(None) };
+    let ScaledImpact { scales, ground, q, forces, .. } = case;
+    // the first-order estimate belongs to the impact without gravity
+    let without_gravity = || closed_form::solve_energy_balance(*ground, *q).unloading;
+    let unloading = if forces.weight > 0.0 { without_gravity() } else { outcome.unloading };
+    Ok(Some(waves.loss_fraction(speed, scales, *ground, &unloading)?))
+}
+
+/// The state at the peak, if the numbers of this outcome are finite.
+fn finite_peak(outcome: &ScaledResult) -> Result<ContactState, IntegrationError> {
+    let ScaledResult { restitution, loading_time, contact_time, .. } = *outcome;
+    let peak = outcome.unloading.peak;
+    let is_finite = [restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|x| x.is_finite());
+    if is_finite { Ok(peak) } else { Err(IntegrationError::NotFinite { time: contact_time }) }
+}
+
+/// Fraction of the kinetic energy \[J\] that becomes plastic work, which is given in `unit` \[J\]. Under gravity the fraction may exceed 1;
+/// without kinetic energy it does not exist.
+fn plastic_fraction(plastic_work: f64, unit: f64, kinetic_in: f64) -> Result<f64, OutOfFloatRange> {
+    let has_fraction = plastic_work != 0.0 && kinetic_in > 0.0;
+    let value = if has_fraction { plastic_work * unit / kinetic_in } else { 0.0 };
+    if value.is_infinite() {
+        return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value });
+    }
+    Ok(value)
+}
+
+/// Height of the flight after the impact \[m\]; `None` without gravity. The flight of two bodies is not modelled.
+fn rebound_height(contact: &Contact, speed: f64, restitution: f64, wave_loss: Option<f64>) -> Option<f64> {
+    let flight = contact.forces().flight.filter(|_| contact.target_mass().is_none())?;
+    let restitution = wave_loss.map_or(restitution, |loss| waves::restitution_with_waves(restitution, loss));
+    Some(flight.rise_height(restitution * speed))
+}
+
+/// Area of the dent in the half-space \[m²\]; 0 if the sphere alone yields.
+fn dent_area(contact: &Contact, contact_radius: f64) -> f64 {
+    let is_dented = contact.pair().yield_point.is_some_and(|point| point.yield_partition.flat_share < 1.0);
+    if is_dented { PI * contact_radius * contact_radius } else { 0.0 }
+}
+
 /// The state below a dent at this peak; `None` if the sphere yields as much, and for a law without bodies.
 fn subsurface(contact: &Contact, law: &Law, peak: &ContactState, contact_radius: f64) -> Option<Subsurface> {
     let pair = contact.pair();
@@ -130,77 +189,47 @@ impl ImpactRow {
         case: &ScaledImpact,
         outcome: &ScaledResult,
     ) -> Result<Self, ImpactError> {
-        let ScaledImpact { scales, ground, q, forces, .. } = case;
-        // a sphere released at rest has the kinetic energy 0, which is no underflow
-        let kinetic_in = 0.5 * contact.reduced_mass() * speed * speed;
-        let is_at_rest = speed == 0.0 && !contact.forces().is_none();
-        let kinetic_in = if is_at_rest { 0.0 } else { finite_positive("kinetic energy (J)", kinetic_in)? };
-        let radiating = contact.waves().filter(|_| outcome.end == ImpactEnd::Separated && !is_at_rest);
-        let waves = match radiating {
-            // the first-order estimate belongs to the impact without gravity
-            Some(waves) if forces.weight > 0.0 => Some(waves.loss_fraction(
-                speed,
-                scales,
-                *ground,
-                &closed_form::solve_energy_balance(*ground, *q).unloading,
-            )?),
-            Some(waves) => Some(waves.loss_fraction(speed, scales, *ground, &outcome.unloading)?),
-            None => None,
-        };
-        let peak = outcome.unloading.peak;
-        let ScaledResult { restitution, loading_time, .. } = *outcome;
-        if ![restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|part| part.is_finite()) {
-            return Err(IntegrationError::NotFinite { time: outcome.contact_time }.into());
-        }
+        let ScaledImpact { scales, ground, .. } = case;
+        let ScaledResult { restitution, .. } = *outcome;
+        let separates = outcome.end == ImpactEnd::Separated;
+        let kinetic_in = kinetic_energy_in(contact, speed)?;
+        let wave_loss_fraction = wave_loss_fraction(contact, speed, case, outcome)?;
+        let peak = finite_peak(outcome)?;
         let peak_contact_radius = contact.contact_radius(scales, *ground, &peak)?;
         let radius_ratio = peak_contact_radius / contact.pair().smaller_radius;
         let (law, residual) = (ground.loading_law_at(peak.indentation), ground.deepest_state(&peak).residual());
-        let lost = ground.plastic_work(&outcome.unloading);
-        // under gravity the share may exceed 1; without kinetic energy it does not exist
-        let has_share = lost != 0.0 && kinetic_in > 0.0;
-        let share = if has_share { lost * scales.units.energy() / kinetic_in } else { 0.0 };
-        if share.is_infinite() {
-            return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
-        }
-        // the flight of two bodies is not modelled
-        let flying = contact.forces().flight.filter(|_| contact.target_mass().is_none());
+        let plastic_work = ground.plastic_work(&outcome.unloading);
+        let plastic_fraction = plastic_fraction(plastic_work, scales.units.energy(), kinetic_in)?;
         let contact_time = finite_positive("contact time (s)", outcome.contact_time * scales.time())?;
-        let contact_time = if outcome.end == ImpactEnd::Captured { f64::INFINITY } else { contact_time };
+        let contact_time = if separates { contact_time } else { f64::INFINITY };
+        let flat_share = contact.pair().yield_point.map_or(0.0, |point| point.yield_partition.flat_share);
+        let subsurface_law = law.filter(|_| contact.has_subsurface && residual > 0.0);
         Ok(Self {
-            restitution: outcome.restitution,
+            restitution,
             restitution_interval: None,
             contact_time,
             peak_force: finite_positive("peak force (N)", outcome.largest_force * scales.units.force)?,
             peak_indentation: peak.indentation * scales.units.length,
             residual_indentation: residual * scales.units.length,
-            flat_depth: contact.pair().yield_point.map_or(0.0, |point| point.yield_partition.flat_share)
-                * residual
-                * scales.units.length,
+            flat_depth: flat_share * residual * scales.units.length,
             peak_contact_radius,
             radius_ratio,
             is_outside_validity: radius_ratio > ground.law.validity.max_radius_ratio
                 || law.is_some_and(|law| law.exceeded_fit_range(&peak).is_some()),
             kinetic_in,
-            plastic_fraction: share,
-            wave_loss_fraction: waves,
+            plastic_fraction,
+            wave_loss_fraction,
             plate: PlateResult::from_scaled(case, outcome, contact_time),
-            target_speed: contact.speeds_after(speed, outcome.restitution).1,
-            rebound_height: flying.filter(|_| outcome.end == ImpactEnd::Separated).map(|flying| {
-                let restitution =
-                    waves.map_or(outcome.restitution, |loss| waves::restitution_with_waves(outcome.restitution, loss));
-                flying.rise_height(restitution * speed)
-            }),
+            target_speed: contact.speeds_after(speed, restitution).1,
+            rebound_height: rebound_height(contact, speed, restitution, wave_loss_fraction).filter(|_| separates),
             strain_rate_result: contact.strain_rate_result.filter(|_| law.is_some()),
             rebound: None,
-            peened: contact.peening.map(|request| {
-                let is_dented = contact.pair().yield_point.is_some_and(|point| point.yield_partition.flat_share < 1.0);
-                let dent_area =
-                    if is_dented && residual > 0.0 { PI * peak_contact_radius * peak_contact_radius } else { 0.0 };
-                PeenedSurface { request, dent_area, shot_mass: contact.mass() }
+            peened: contact.peening.map(|request| PeenedSurface {
+                request,
+                dent_area: if residual > 0.0 { dent_area(contact, peak_contact_radius) } else { 0.0 },
+                shot_mass: contact.mass(),
             }),
-            subsurface: law
-                .filter(|_| contact.has_subsurface && residual > 0.0)
-                .and_then(|law| subsurface(contact, law, &peak, peak_contact_radius)),
+            subsurface: subsurface_law.and_then(|law| subsurface(contact, law, &peak, peak_contact_radius)),
         })
     }
 

@@ -1,10 +1,11 @@
 //! The methods that compute an impact, their error control, and one dimensionless impact by any of them.
 
 pub mod closed_form;
+pub mod fixed_steps;
 pub mod motion;
 pub mod outcome;
 pub mod recorder;
-pub mod verlet;
+mod verlet;
 
 use super::problem::forces::{Forces, ScaledForces};
 use outcome::{ScaledResult, Solution};
@@ -141,7 +142,7 @@ pub fn solve<'a>(
             let step = undamped_contact_time(ground, q, forces)? / f64::from(steps);
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * u64::from(steps) + 10;
-            verlet::integrate_fixed_steps(ground, q, forces, step, most, trace)
+            fixed_steps::integrate_fixed_steps(ground, q, forces, step, most, trace)
         }
     }
 }

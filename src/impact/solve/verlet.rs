@@ -1,43 +1,38 @@
-//! An impact by velocity Verlet in fixed steps, as in DEM codes: steps pass over kinks, and separation is noticed at the first step
+//! The motion by velocity Verlet in fixed steps, as in DEM codes: steps pass over kinks, and separation is noticed at the first step
 //! without force.
-//!
-//! A time in whole steps would hide the error of the motion, so the two times of the outcome lie within a step. Maximum compression
-//! is where the speed and the acceleration of the deepest step lead to zero speed. Separation is found by following the free
-//! flight after the last step back to the contact. Without damping both times are accurate to second order in the step, like the
-//! motion. [`FixedSteps`] has the times that a code with this step finds.
 
-use super::outcome::{FixedSteps, ImpactEnd, ScaledResult, Solution};
-use super::recorder::{Event, TracePoint, sample_times};
+use super::outcome::{ImpactEnd, ScaledResult};
+use super::recorder::{Event, TracePoint};
 use crate::contact::law::{ContactState, Surface, Unloading};
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::numerics::curve::piece::Piece;
-use crate::numerics::ode::{DampingCoefficients, DenseOutput, IntegrationError, MotionState, SolverStats};
+use crate::numerics::ode::{DampingCoefficients, DenseOutput, MotionState};
 use crate::numerics::power::nan_max;
 use crate::numerics::root::bisect;
 
 /// The law as a code with fixed steps evaluates it: its memory is the largest indentation so far. Distances are measured from first
 /// contact.
-struct FixedStepContact<'a> {
-    ground: Surface<'a>,
+pub(super) struct FixedStepContact<'a> {
+    pub(super) ground: Surface<'a>,
     drag: DampingCoefficients,
-    touch: f64,
+    pub(super) touch: f64,
     deepest: f64,
     unloading: Option<Unloading>,
     /// The phase after the metal relaxed on a plate, in which the bodies approach a little further along the unloading branch.
-    after_relaxation: AfterRelaxation,
+    pub(super) after_relaxation: AfterRelaxation,
 }
 
 /// The phase of the motion since the metal relaxed on a plate.
 #[derive(Clone, Copy, PartialEq)]
-enum AfterRelaxation {
+pub(super) enum AfterRelaxation {
     NotYet,
     Approaching,
     Parting,
 }
 
 impl<'a> FixedStepContact<'a> {
-    fn new(ground: Surface<'a>, drag: DampingCoefficients) -> Self {
+    pub(super) fn new(ground: Surface<'a>, drag: DampingCoefficients) -> Self {
         let deepest = ground.reloading_branch().map_or(0.0, |branch| branch.peak.elastic_approach);
         let unloading = ground.reloading_branch().copied();
         Self {
@@ -69,11 +64,16 @@ impl<'a> FixedStepContact<'a> {
     }
 
     /// The unloading branch from the deepest step. After a relaxation it is the branch of the relaxed metal.
-    fn branch_from(&self, deepest: f64) -> Unloading {
+    pub(super) fn branch_from(&self, deepest: f64) -> Unloading {
         match self.unloading {
             Some(unloading) if self.after_relaxation != AfterRelaxation::NotYet => unloading,
             _ => self.ground.unload_at(deepest),
         }
+    }
+
+    /// The distance at which the force of an unloading branch vanishes.
+    fn residual_distance(&self, unloading: &Unloading) -> f64 {
+        self.ground.deepest_state(&unloading.peak).residual() - self.touch
     }
 
     /// The piece of the loading curve at a distance.
@@ -108,14 +108,15 @@ impl<'a> FixedStepContact<'a> {
     /// its free flight is followed backwards: to the depth of the dent or, under viscous damping, to the zero of the total force.
     /// If the damping exceeds the force only because the step is coarse, there is no such zero, and the separation is at the end
     /// of the step.
-    fn separation_within_step(
+    pub(super) fn separation_within_step(
         &mut self,
         before: &MotionState,
         end: &MotionState,
         step: f64,
         gravity: f64,
-        residual: f64,
+        unloading: &Unloading,
     ) -> MotionState {
+        let residual = self.residual_distance(unloading);
         let flown_back = |since: f64| MotionState {
             time: end.time - since,
             distance: end.distance - since * (end.speed - 0.5 * gravity * since),
@@ -152,26 +153,26 @@ fn with_damping(drag: DampingCoefficients, force: f64, slope: impl FnOnce() -> f
 }
 
 /// A motion in steps of equal length.
-struct VerletMotion<'a> {
-    contact: FixedStepContact<'a>,
+pub(super) struct VerletMotion<'a> {
+    pub(super) contact: FixedStepContact<'a>,
     weight: f64,
-    step: f64,
+    pub(super) step: f64,
     /// Steps so far.
-    count: u64,
-    state: MotionState,
-    acceleration: f64,
+    pub(super) count: u64,
+    pub(super) state: MotionState,
+    pub(super) acceleration: f64,
 }
 
 impl<'a> VerletMotion<'a> {
     /// At first contact.
-    fn new(ground: Surface<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
+    pub(super) fn new(ground: Surface<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
         let state = MotionState { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
         let (contact, weight) = (FixedStepContact::new(ground, forces.damping), forces.weight);
         Self { contact, weight, step, count: 0, state, acceleration: FORCE_FACTOR * weight }
     }
 
     /// Makes a step, with the damping force at the speed half a step earlier; returns the force of the law and the total force.
-    fn advance(&mut self) -> (f64, f64) {
+    pub(super) fn advance(&mut self) -> (f64, f64) {
         let (step, mut from) = (self.step, self.state);
         let mut half = from.speed + 0.5 * step * self.acceleration;
         let gained = self.contact.relaxation_speed(half);
@@ -192,124 +193,9 @@ impl<'a> VerletMotion<'a> {
     }
 }
 
-/// A contact of fewer steps has no result.
-const MIN_STEPS: u64 = 5;
-/// A run with a larger restitution has no result; a restitution above 1 gets a warning.
-const MAX_RESTITUTION: f64 = 1.05;
-
-/// Integrates in steps of `step`. The peak is the deepest step. The run ends with the first step of the rebound in which no force
-/// pushes; or, for a captured sphere, with the first step in which the sphere moves inwards again.
-///
-/// # Errors
-/// [`IntegrationError::TooManyFixedSteps`] if there is no end within `most_steps`, [`IntegrationError::CoarseSteps`] if the steps
-/// are too long to follow the contact.
-pub(crate) fn integrate_fixed_steps(
-    ground: Surface,
-    q: f64,
-    forces: &ScaledForces,
-    step: f64,
-    most_steps: u64,
-    trace: Option<(usize, Option<f64>)>,
-) -> Result<Solution, IntegrationError> {
-    let mut motion = VerletMotion::new(ground, q, forces, step);
-    let (mut peak, mut track) = (motion.state, Vec::new());
-    // time of zero speed near the deepest step
-    let mut turns_at = 0.0;
-    let mut largest_force = 0.0;
-    for n in 1..=most_steps {
-        let (before, acceleration) = (motion.state, motion.acceleration);
-        let (force, total) = motion.advance();
-        if trace.is_some() {
-            track.push(parabolic_output(before, acceleration, motion.state.time));
-        }
-        largest_force = nan_max(largest_force, total);
-        let mut state = motion.state;
-        let time = state.time;
-        if state.distance > peak.distance && motion.contact.after_relaxation == AfterRelaxation::NotYet {
-            peak = state;
-            let acceleration = motion.acceleration;
-            let until = if acceleration < 0.0 { (state.speed / -acceleration).clamp(-step, step) } else { 0.0 };
-            turns_at = time + until;
-        }
-        if !(state.distance.is_finite() && state.speed.is_finite()) {
-            return Err(IntegrationError::NotFinite { time });
-        }
-        let is_back = time > peak.time;
-        // the total force of Hunt and Crossley vanishes before the force of the law only through rounding or a coarse step
-        let pushes = if forces.damping.can_lift_off() { total } else { force };
-        let lifts_off = is_back && pushes == 0.0 && state.speed < 0.0;
-        let is_slower =
-            is_back && state.speed >= 0.0 && motion.contact.after_relaxation != AfterRelaxation::Approaching;
-        let deepest = || motion.contact.branch_from(peak.distance);
-        let stays = || {
-            if forces.is_conservative() {
-                is_back && forces.is_captured(&deepest(), q) && force <= forces.weight
-            } else {
-                has_crept_to_rest(&motion, forces, &deepest())
-            }
-        };
-        if !(lifts_off || is_slower || forces.weight > 0.0 && stays()) {
-            continue;
-        }
-        let unloading = deepest();
-        let separates = lifts_off && !forces.is_captured(&unloading, q);
-        if separates {
-            let residual = ground.deepest_state(&unloading.peak).residual() - motion.contact.touch;
-            state =
-                motion.contact.separation_within_step(&before, &state, step, FORCE_FACTOR * forces.weight, residual);
-        }
-        let restitution = if separates { -state.speed / q } else { 0.0 };
-        // under gravity a slow sphere that sinks into its dent separates faster than it arrived
-        let makes_energy = forces.weight == 0.0 && restitution > MAX_RESTITUTION;
-        if separates && n < MIN_STEPS || makes_energy {
-            return Err(IntegrationError::CoarseSteps { steps: n, restitution });
-        }
-        let outcome = ScaledResult {
-            unloading,
-            restitution,
-            largest_force: ground.reported_force(&unloading, Some(largest_force)),
-            loading_time: if is_back { turns_at.min(state.time) } else { peak.time },
-            contact_time: state.time,
-            end: if separates { ImpactEnd::Separated } else { ImpactEnd::Captured },
-            end_indentation: motion.contact.touch + state.distance,
-            end_speed: state.speed,
-            loss: state.loss / FORCE_FACTOR,
-        };
-        // one evaluation a step, and one at first contact
-        let work = SolverStats { steps: n, rejected: 0, force_evaluations: n + 1 };
-        let separation_time = separates.then_some(time);
-        let fixed_steps = Some(FixedSteps { step, compression_time: peak.time, separation_time });
-        let of_samples = |(samples, duration): (usize, Option<f64>)| {
-            let times = sample_times(samples, duration.unwrap_or(outcome.contact_time));
-            motion.contact.points(&outcome, &peak, &track, times)
-        };
-        let points = trace.map_or_else(Vec::new, of_samples);
-        return Ok(Solution { fixed_steps, trace_points: points, ..Solution::new(outcome, work) });
-    }
-    Err(IntegrationError::TooManyFixedSteps { steps: most_steps })
-}
-
-/// True if an overdamped sphere is near its static indentation.
-fn has_crept_to_rest(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -> bool {
-    let point = forces.static_equilibrium(motion.contact.ground, unloading);
-    let indentation = motion.contact.touch + motion.state.distance;
-    forces
-        .rest_criterion(&point, point.indentation)
-        .is_some_and(|rest| rest.excess(indentation, motion.state.speed) <= 0.0)
-}
-
-/// The motion in a step that begins in this state and ends at this time.
-fn parabolic_output(from: MotionState, acceleration: f64, end: f64) -> DenseOutput {
-    DenseOutput::new(end, move |time| {
-        let t = time - from.time;
-        let distance = from.distance + t * (from.speed + 0.5 * acceleration * t);
-        MotionState { time, distance, speed: from.speed + acceleration * t, loss: from.loss }
-    })
-}
-
 impl FixedStepContact<'_> {
     /// The points of this outcome at these rising times and at its events, from the steps up to its end.
-    fn points(
+    pub(super) fn points(
         &self,
         outcome: &ScaledResult,
         peak: &MotionState,
@@ -339,7 +225,7 @@ impl FixedStepContact<'_> {
         states.insert(until_peak, (turning, Some(Event::Peak)));
         states.insert(0, (touch, Some(Event::Touch)));
         states.push((end, Some(of_end)));
-        let residual = self.ground.deepest_state(&outcome.unloading.peak).residual() - self.touch;
+        let residual = self.residual_distance(&outcome.unloading);
         let point = |(state, event): (MotionState, Option<Event>)| {
             if state.time <= outcome.loading_time && event != Some(Event::Relaxation) {
                 let slope = || self.piece_at(state.distance).slope_at(self.touch + state.distance);

@@ -15,6 +15,7 @@ use super::result::impact::Impact;
 use super::result::warning::{Warning, WarningKind};
 use super::solve::Solver;
 use crate::contact::law::{ContactState, ExponentClamp, Surface, Unloading};
+use crate::contact::strength::kind::IMPACT_STRAINS;
 use crate::contact::strength::strain_rate_hardening::RateForm;
 use crate::numerics::root::bisect;
 use crate::units::{Dimension, format_four_digits, format_input, format_percent};
@@ -173,7 +174,7 @@ fn strain_rate_warnings(contact: &Contact) -> impl Iterator<Item = Warning> + us
     };
     let lower_yield = slow.map(|rate| {
         let text = format!(
-            "e is too high. cowper_symonds.rate = {} 1/s describes the lower yield point, not the flow stress at the plastic strains of a dent, 1 to 4 %. Use constants for these strains (rate of {MIN_FLOW_STRESS_RATE} 1/s or more).",
+            "e is too high. cowper_symonds.rate = {} 1/s describes the lower yield point, not the flow stress at the plastic strains of an impact, {IMPACT_STRAINS}. Use constants for these strains (rate of {MIN_FLOW_STRESS_RATE} 1/s or more).",
             format_four_digits(rate)
         );
         Warning::new(WarningKind::LowerYield, -rate, text)

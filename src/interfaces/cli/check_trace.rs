@@ -15,11 +15,11 @@ use plm_impact::scenario::{MAX_DATA_MIB, Override, Scenario, read_text};
 
 use super::output::{PictureArguments, print_warnings};
 
-/// Check one contact of another code: its restitution, its energy, and the law beside it
+/// Check one contact of another code: its restitution and energy, compared with the law
 ///
 /// The trace is a table with time, indentation (positive in contact) and force of every step of one contact, with steps before and after
 /// the contact. Names of columns have units: `time_s,indentation_m,force_N`, `t,delta,F` (SI), `Time (ms) Overlap (um) Force (N)`. Columns
-/// stand between commas, semicolons, tabs or spaces. The exit code is 1 if the contact made energy.
+/// are separated by commas, semicolons, tabs or spaces. The exit code is 1 if the contact creates energy.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact check-trace contact.csv impact.toml --out pictures
@@ -28,7 +28,7 @@ pub struct CheckTraceArguments {
     /// Trace of one contact
     #[arg(value_name = "TRACE.csv")]
     trace: PathBuf,
-    /// Scenario: its law at the speed of the trace is shown beside the trace
+    /// Scenario: the trace is compared with the law of this scenario at the same speed
     #[arg(value_name = "FILE")]
     scenario: Option<PathBuf>,
     /// Override a key of the scenario; repeatable
@@ -105,7 +105,7 @@ pub fn check_trace(arguments: &CheckTraceArguments) -> Result<(), Error> {
         }
     }
     if measures.made_energy() {
-        return Err(Error::failed(format!("{name}: the contact made energy")));
+        return Err(Error::failed(format!("{name}: the contact creates energy")));
     }
     Ok(())
 }

@@ -89,7 +89,7 @@ fn write_header(arguments: &ExportArguments) -> Result<(), Error> {
     for (option, value) in [("--speed", &arguments.speed), ("--speeds", &arguments.speeds)] {
         if value.is_some() {
             let message = format!(
-                "{option}: a header has the force at every indentation, and no speed. Remove {option}; if the strength depends on the strain rate, write --set impact.speed=\"3 m/s\"."
+                "{option}: a header does not depend on a speed, because it computes the force at every indentation. Remove {option}; if the strength depends on the strain rate, write --set impact.speed=\"3 m/s\"."
             );
             return Err(Error::input(message));
         }
@@ -124,7 +124,7 @@ fn speed(option: &str, text: &str) -> Result<f64, Error> {
 fn speeds(text: &str) -> Result<(f64, f64), Error> {
     let both = text.split_once(',').ok_or_else(|| {
         Error::input(format!(
-            "--speeds: \"{text}\" is not two speeds. Write the first and the last, such as \"0.1 m/s,10 m/s\"."
+            "--speeds: \"{text}\" must be two speeds. Write the first and the last, such as \"0.1 m/s,10 m/s\"."
         ))
     })?;
     let (from, to) = (speed("--speeds", both.0.trim())?, speed("--speeds", both.1.trim())?);

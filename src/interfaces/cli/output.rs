@@ -146,7 +146,7 @@ pub fn note_replaced(directory: &OutputDirectory, removed: &[String]) {
     }
     if !removed.is_empty() {
         super::terminal::note(format_args!(
-            "{path}: removed {} of the run before, which this run does not make",
+            "{path}: removed {} of an earlier run, which this run does not write",
             removed.join(", ")
         ));
     }

@@ -31,7 +31,7 @@ pub struct Options {
     /// array job
     #[arg(long, value_name = "I/N|auto")]
     shard: Option<String>,
-    /// Sweeps: threads [default: one a core]; the table is the same whatever their number
+    /// Sweeps: threads [default: one per core]; the number of threads does not change the table
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=i64::from(MAX_THREADS)))]
     threads: Option<u16>,
 }

@@ -28,7 +28,7 @@ pub struct ValidateArguments {
     /// Replace files that this program did not write
     #[arg(long)]
     force: bool,
-    /// Compare the law with these coefficients too, beside the built-in ones
+    /// Also validate the law with the coefficients of this file
     #[arg(long, value_name = "FILE")]
     coefficients: Option<PathBuf>,
     #[command(flatten)]

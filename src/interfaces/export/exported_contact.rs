@@ -46,7 +46,9 @@ impl ExportedContact {
         let speed = Some(input.speed() * cos(angle)).filter(|speed| is_single && *speed > 0.0);
         let mut left_out = omitted_parts(&input);
         let table = match kind {
-            Kind::Repeat => Some("[repeat] is left out: this is the first impact, on a fresh surface".to_owned()),
+            Kind::Repeat => {
+                Some("[repeat] is not exported: the lines are for the first impact, on fresh surface".to_owned())
+            }
             Kind::Sweep | Kind::MonteCarlo => Some(first_case(&input, kind, &paths)),
             _ => None,
         };
@@ -73,10 +75,10 @@ impl ExportedContact {
 /// The parts of the motion that the other code has itself.
 fn omitted_parts(input: &Input) -> Vec<String> {
     let has = |at| input.number(at).is_some();
-    let by_itself = |name: &str| format!("{name} is left out: the simulation has it itself");
+    let by_itself = |name: &str| format!("{name} is not exported: set this in the simulation");
     let mut left_out = Vec::new();
     if has(key!("impact.angle")) {
-        left_out.push("impact.angle is left out: the speed is the part that is normal to the wall".to_owned());
+        left_out.push("impact.angle is not exported: the speed is the component normal to the wall".to_owned());
     }
     let tables = [("[gravity]", key!("gravity.acceleration")), ("[air]", key!("air.density"))];
     let keys = SPIN_KEYS.map(|key| (key.path(), key)).into_iter().chain(tables);
@@ -95,8 +97,8 @@ fn first_case(input: &Input, kind: Kind, paths: &[&str]) -> String {
     let values: Vec<String> = paths.iter().filter(is_of_bodies).filter_map(value).collect();
     let name = kind.name();
     if values.is_empty() {
-        return format!("[{name}] is left out");
+        return format!("[{name}] is not exported");
     }
     let which = if kind == Kind::MonteCarlo { "the middle of every range" } else { "the first values" };
-    format!("[{name}] is left out: {which} count, {}", values.join(", "))
+    format!("[{name}] is not exported: the lines are for {which}, {}", values.join(", "))
 }

@@ -147,7 +147,7 @@ impl Exporter<'_> {
         about.extend(self.drop_test_line());
         if let Some(StrainRateResult { strain_rate, factor, .. }) = self.impact.row.strain_rate_result {
             about.push(format!(
-                "the strength is that of the strain rate of each speed; at this one {} 1/s, where it is {} times that of the test",
+                "the strength depends on the strain rate of each speed: here {} 1/s, strength {} times the strength of the slow test",
                 format_four_digits(strain_rate),
                 format_four_digits(factor)
             ));
@@ -196,7 +196,7 @@ impl Exporter<'_> {
         vec![
             format!("time step {step:.3e} s or less: {steps} steps per contact, error of e below 1 %"),
             bodies,
-            format!("{model}: e and contact time are those of the law, the peak force is not"),
+            format!("{model} with e and contact time of the law; its peak force differs from the law"),
         ]
     }
 

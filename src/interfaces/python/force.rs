@@ -164,7 +164,11 @@ fn force_and_update(contact: &impact::Contact, indentation: f64, row: &mut [f64]
     let mut memory = checked_memory(contact, row)?;
     let force = contact.force(indentation, &mut memory);
     row.copy_from_slice(&[memory.indentation, memory.force, memory.elastic_approach]);
-    if force.is_nan() { Err(format!("the law has no force at an indentation of {indentation} m")) } else { Ok(force) }
+    if force.is_nan() {
+        Err(format!("the force of the law is not defined at an indentation of {indentation} m"))
+    } else {
+        Ok(force)
+    }
 }
 
 /// The memory of one contact, which a path of this contact leads to.
@@ -173,7 +177,7 @@ fn checked_memory(contact: &impact::Contact, row: &[f64]) -> Result<Memory, Stri
     if contact.accepts(&memory) {
         return Ok(memory);
     }
-    Err(format!("the memory {row:?} is none of this contact; give zeros to one that was never loaded"))
+    Err(format!("the memory {row:?} does not belong to this contact. For a contact without earlier load give zeros."))
 }
 
 fn memory_of(row: &[f64]) -> Result<Memory, String> {

@@ -107,8 +107,8 @@ impl PyImpact {
         if let Some(result) = impact_results().iter().find(|result| result.name == name) {
             let missing = || {
                 PyAttributeError::new_err(match result.condition {
-                    TABLES => format!("{name} is {TABLES}: plm_impact.impacts gives it"),
-                    condition => format!("{name} is there only if {condition}"),
+                    TABLES => format!("{name} is {TABLES}. Use plm_impact.impacts."),
+                    condition => format!("{name} is available only if {condition}"),
                 })
             };
             return from_json(py, &(result.value)(&single).ok_or_else(missing)?);

@@ -56,7 +56,7 @@ impl MeasuredSet {
             match (line.strip_prefix("   "), fields.last_mut(), line.split_once(": ")) {
                 (Some(more), Some((_, texts)), _) => texts.push(more.trim()),
                 (None, _, Some((name, text))) => fields.push((name.trim(), vec![text.trim()])),
-                _ => return Err(damaged_table(file, &format!("the line \"#{line}\" is no field of the head"))),
+                _ => return Err(damaged_table(file, &format!("the line \"#{line}\" is not a field of the header"))),
             }
         }
         let set = Self { file, fields, rows: ReferenceTable(file, text).rows()? };

@@ -154,7 +154,7 @@ fn calibrated_scenario(scenario: &Scenario, measured: &CalibrationTask, found: &
     }
     let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path()).collect();
     Ok(format!(
-        "# {}: found by {PROGRAM}. The other comments are those of {}.\n{}",
+        "# {}: fitted by {PROGRAM}. The other comments come from {}.\n{}",
         keys.join(", "),
         scenario.document.name(),
         document

@@ -98,7 +98,7 @@ pub fn rate_dependent_contact(scenario: &Scenario, input: &Input, contact: &Cont
 /// Refuses a scenario with warnings, if `is_strict`.
 pub fn refuse_warnings(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
     if is_strict && warnings > 0 {
-        let text = format!("{warnings} warning(s), which --strict makes errors; nothing was written");
+        let text = format!("warnings: {warnings}. With --strict a warning is an error. No files were written.");
         return Err(Error::for_file(ErrorKind::Failed, scenario.document.name(), text));
     }
     Ok(())

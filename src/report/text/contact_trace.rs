@@ -50,7 +50,7 @@ pub fn contact_trace_text(measures: &TraceMeasures, law: Option<&Impact>) -> Str
     let only = |label: &str, text: String| vec![label.to_owned(), text];
     lines.push(only("steps in contact", measures.n_steps.to_string()));
     lines.push(only("work of loading", energy(measures.loading_work)));
-    lines.push(only("work that the contact has taken", energy(measures.net_work)));
+    lines.push(only("work absorbed by the contact", energy(measures.net_work)));
     align_columns(&lines, |column| column == 0)
 }
 

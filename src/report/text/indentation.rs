@@ -7,6 +7,7 @@ use super::inputs::Inputs;
 use super::overview;
 use super::terminal::{self, Imprint};
 use crate::contact::pair::imprint_name;
+use crate::contact::strength::kind::IMPACT_STRAINS;
 use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, SetPoint, SpecimenResult, StepResult};
 use crate::results::hardness_scales::{brinell_hardness, is_brinell_ball, meyer_hardness};
@@ -252,7 +253,7 @@ pub fn material_notes(scenario: &Scenario, tested: &[SpecimenResult]) -> Vec<Str
     body.map(|body| {
         let key = body.yield_strength();
         format!(
-            "{WHICH_STRENGTH} Forces hold if {key} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, forces are too low and dents are too deep: scenarios/README.md#which-strength"
+            "{WHICH_STRENGTH} Forces hold if {key} is the flow stress at a plastic strain of {IMPACT_STRAINS}. If {key} is the 0.2 % proof stress of a metal that hardens, forces are too low and dents are too deep: scenarios/README.md#which-strength"
         )
     })
     .into_iter()

@@ -8,8 +8,8 @@ use crate::contact::law::LawChoice;
 use crate::contact::pair::Pair;
 use crate::impact::Contact;
 use crate::materials::Property;
-use crate::scenario::input::{Body, Input};
-use crate::scenario::keys::body_key;
+use crate::scenario::input::{Body, Input, KeyValue};
+use crate::scenario::keys::{KeyId, OTHER, body_key, key};
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_four_digits, format_input, format_percent, format_si_and_short};
 
@@ -95,9 +95,15 @@ fn rate_hint(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
     })
 }
 
-/// Keys and values.
+/// Keys and values. Of a set of coefficients the terminal shows the name; a summary has the source too.
 pub(super) fn input_rows(inputs: &Inputs) -> Vec<Row> {
-    inputs.0.iter().map(|entry| [entry.path.clone(), entry.terminal_text()]).collect()
+    let coefficients: KeyId<OTHER> = key!("law.plm.coefficients");
+    let text = |entry: &KeyValue| {
+        let text = entry.terminal_text();
+        let name = text.split_once(" (").filter(|_| entry.path == coefficients.path()).map(|(name, _)| name.to_owned());
+        name.unwrap_or(text)
+    };
+    inputs.0.iter().map(|entry| [entry.path.clone(), text(entry)]).collect()
 }
 
 /// Which body flows, with the ratio of the strengths, if the contact is narrower than the sphere at first yield.

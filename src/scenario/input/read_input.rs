@@ -208,7 +208,7 @@ fn parse_flow_points(text: &str) -> Result<Vec<[f64; 2]>, CsvError> {
     for row in table.rows() {
         let (line, row) = row?;
         let field = |i: usize| {
-            let no_number = |_| (Some(line), format!("{} is no number, but \"{}\"", POINT_COLUMNS[i], &row[i]));
+            let no_number = |_| (Some(line), format!("{} is not a number: \"{}\"", POINT_COLUMNS[i], &row[i]));
             row[i].parse::<f64>().map_err(no_number)
         };
         points.push([field(0)?, field(1)?]);

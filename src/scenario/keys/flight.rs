@@ -60,7 +60,7 @@ impl Input {
         let slower = 1.0 - ways.iter().map(|slower| 1.0 - slower).product::<f64>();
         (slower > MAX_SLOWING * ways.len() as f64).then(|| {
             let text = format!(
-                "The fitted keys are wrong, because the measured e is taken {} too low: without [air] the loss in the air counts as a loss of the impact. Add [air] with density = \"1.2 kg/m^3\" and drag = 0.5.",
+                "The fitted keys are wrong, because e from the measurements is {} too low: without [air] the loss in the air counts as a loss of the impact. Add [air] with density = \"1.2 kg/m^3\" and drag = 0.5.",
                 format_percent(slower)
             );
             Warning::new(WarningKind::InAir, slower, text)

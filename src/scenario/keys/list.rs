@@ -43,7 +43,7 @@ macro_rules! strength_keys {
             /// flow_stress.power the metal is perfectly plastic with this stress. With flow_stress.power the yield strength is the
             /// start of that curve.
             "hardness" of $part: Number(&HARDNESS);
-            /// Kind of strength: "flow" is the flow stress in the impact, at a plastic strain of 1 to 8 %, such as a calibrated
+            /// Kind of strength: "flow" is the flow stress in the impact, at a plastic strain of 0.5 to 8 %, such as a calibrated
             /// strength; "proof" is the 0.2 % proof stress of a tensile test, with which e is up to 38 % too low. The key changes
             /// only the interval of e.
             "strength_kind" of $part: Word(&STRENGTH_KINDS);
@@ -98,7 +98,7 @@ macro_rules! measured_keys {
             #[doc = " Leeb hardness: 1000 times the restitution"]
             #[doc = $rest]
             "leeb" of Kind: Number(&$leeb);
-            #[doc = " Diameter of the rim of the dent"]
+            #[doc = " Diameter of the dent"]
             #[doc = $rest]
             "dent_diameter" of Kind: Number(&LENGTH);
             #[doc = " Depth of the dent"]
@@ -316,7 +316,7 @@ const OTHER_KEYS: [KeySpec; 49] = key_specs! {
     /// File of measurements (CSV), relative to the scenario.
     "calibrate.data" of Kind: File("drops.csv");
     /// One or two numeric keys to fit, each with its range and, if needed, its scale.
-    "calibrate.free" of Kind: Free => "half_space.yield_strength, or sphere.yield_strength where that is given and the sphere yields, from 1e-5 to 0.1 of the modulus; or the hardness where that is given, over the hardnesses of these strengths";
+    "calibrate.free" of Kind: Free => "the yield strength of the half-space, or of the sphere if only the sphere yields, from 1e-5 to 0.1 of Young's modulus; if the scenario gives a hardness, the hardness over the same range of strengths";
     /// Treatment of outliers: "student-t" fits with Student's distribution with 4 degrees of freedom; "none" with the normal
     /// distribution.
     "calibrate.robust" of Kind: Word(&ROBUSTS) => "\"none\"";

@@ -193,7 +193,7 @@ fn refuse_word(key: NumericKey, node: &TomlValue) -> Result<(), ValueError> {
     };
     let path = key.path();
     let message = format!(
-        "\"{word}\" is no number, and an axis can contain numbers only. Make a separate table with --set {path}={word}."
+        "\"{word}\" is not a number, and an axis can contain numbers only. Make a separate table with --set {path}={word}."
     );
     Err(ValueError::new(item, message))
 }
@@ -284,7 +284,7 @@ fn read_distribution(quantity: &Quantity, value: &TomlValue) -> Result<Distribut
         [None, None, None] => Err(ValueError::new(value, format!("has no distribution; write {FORMS}"))),
         [None, None, Some(ends)] => match read_pair([quantity; 2], ends)? {
             [from, to] if from < to => Ok(Distribution::Uniform { from, to }),
-            _ => Err(ValueError::new(ends, "uniform takes two ends, the lower first")),
+            _ => Err(ValueError::new(ends, "uniform needs two ends, the lower first")),
         },
         [Some(normal), None, None] => {
             read_moments(quantity, normal).map(|(mean, sd)| Distribution::Normal { mean, sd })

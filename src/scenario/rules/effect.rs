@@ -213,7 +213,7 @@ const RULES: &[Rule] = &[
     columns(
         &[Requirement::Thickness],
         |facts, _| !facts.is_on_plate(),
-        "the target is no plate, because half_space.thickness is not given",
+        "the target is not a plate, because half_space.thickness is not given",
     ),
 ];
 

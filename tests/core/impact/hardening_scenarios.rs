@@ -41,7 +41,7 @@ fn contact_time_is_sum_over_pieces() {
     }
 }
 
-/// A curve steeper than Young's modulus is refused where it is written (command/refusals.toml); where an axis makes it so, the
+/// A curve steeper than Young's modulus is refused where it is written (`refusals.toml`); where an axis makes it so, the
 /// rows say that they are outside of the law.
 #[test]
 fn impossible_flow_curve_is_outside_the_law() {

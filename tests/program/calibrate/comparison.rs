@@ -38,24 +38,6 @@ fn measurements_stand_beside_the_law() {
     assert_eq!(desk.files("o"), ["fit_restitution.svg", "residuals.csv", "residuals.svg", "summary.json"]);
 }
 
-/// A law that is off by many standard deviations is said to be off, with exit code 3.
-#[test]
-fn contradicting_measurements_are_reported() {
-    let (_, summary) =
-        run_calibration(&leeb(), "speed_m_per_s,restitution,restitution_sd\n2,0.75,0.01\n1,0.8,0.01\n", &[], 3);
-    assert!(summary["contradiction"].as_str().unwrap().contains("does not fit"), "{summary}");
-}
-
-/// The file names keys to find; the command line says that there are none.
-#[test]
-fn the_command_line_takes_the_keys_away() {
-    let desk = Sandbox::with(super::fits::scenario(&format!("data = \"d.csv\"\n{}", super::fits::BOTH)));
-    desk.write("d.csv", super::fits::restitutions());
-    desk.run_expecting(&["calibrate", "s.toml", "--set", "calibrate.free={}", "--out", "o", "--pictures", "none"], 0);
-    assert_eq!(desk.json("o/summary.json")["keys"], json!([]));
-    assert!(!desk.path("o/calibrated.toml").exists());
-}
-
 /// Keys may change from line to line, also those of a plate.
 #[test]
 fn the_thickness_of_a_plate_is_a_column() {
@@ -67,16 +49,6 @@ fn the_thickness_of_a_plate_is_a_column() {
         let want = of_leeb(speed, &set);
         assert!(relative_error(*law, want) < 1e-14, "{law} {want}");
     }
-}
-
-/// An indentation curve may begin at zero, where a relative deviation has no value.
-#[test]
-fn an_indentation_curve_begins_at_zero() {
-    let data = "indentation_um,force_N\n0,0\n5,60\n10,180\n";
-    let text = super::fits::scenario("data = \"d.csv\"\nfree = {}\n");
-    let (desk, summary) = run_calibration(&text, data, &super::fits::SVG_PICTURES, 0);
-    assert!(summary["misfit"].as_f64().unwrap() < 1.0 && !desk.read("o/residuals.csv").contains("NaN"), "{summary}");
-    assert!(desk.path("o/fit_force.svg").exists());
 }
 
 /// The fitted law between two points of an unloading is the law, which bends there with its exponent, and not a chord. The key

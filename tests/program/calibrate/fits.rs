@@ -15,11 +15,6 @@ pub fn bodies() -> String {
 pub const NINE_PIECE_COEFFICIENTS: &str =
     concat!("coefficients = \"", env!("CARGO_MANIFEST_DIR"), "/tests/reference/coefficients-9.toml\"\n");
 
-/// These bodies under that law, with these lines of `[calibrate]`.
-pub fn nine_piece_scenario(calibrate: &str) -> String {
-    format!("{}[law.plm]\n{NINE_PIECE_COEFFICIENTS}[calibrate]\n{calibrate}", bodies())
-}
-
 /// These bodies, with these lines of `[calibrate]`.
 pub fn scenario(calibrate: &str) -> String {
     bodies() + "[calibrate]\n" + calibrate
@@ -59,100 +54,14 @@ pub fn bounds(interval: &Value) -> [&Value; 2] {
     [&interval["low"], &interval["high"]]
 }
 
-/// Synthetic data: e and peak force at a yield strength of 345 MPa with normal scatter of 0.01 and 2 %.
-pub const SYNTHETIC_DATA: &str = "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd
-0.2,0.7569,57.08,1.1416\n0.3,0.7275,86.99,1.7398\n0.5,0.6623,157.5,3.15\n0.8,0.6306,269.5,5.39\n1.2,0.5753,402.5,8.05
-1.8,0.5484,638.6,12.772\n2.5,0.527,928.9,18.578\n3.2,0.4845,1177,23.54\n4,0.4871,1482,29.64\n5,0.4297,1830,36.6\n";
-
-/// The synthetic data without the force.
+/// Synthetic restitutions at a yield strength of 345 MPa with normal scatter of 0.01.
 pub fn restitutions() -> String {
-    let line = |line: &str| line.split(',').take(2).collect::<Vec<_>>().join(",") + "\n";
-    SYNTHETIC_DATA.lines().map(line).collect()
+    super::table::data("restitutions")
 }
 
 /// A calibration with one key.
 pub const STRENGTH: &str = "free = { \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"3 GPa\" } }\n";
 pub const BOTH: &str = "free = { \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"3 GPa\" }, \"half_space.youngs_modulus\" = { from = \"50 GPa\", to = \"500 GPa\" } }\n";
-
-// The numbers of the next three tests come from a Python program that implements the law again from its equations.
-// Estimate and sd are from lmfit 1.3 (leastsq). Intervals are from brute force: chi-square at 8000 strengths
-// from 300 to 410 MPa; for two keys, the bounded search of scipy at each value of one key.
-
-#[test]
-fn one_key_with_known_noise_matches_lmfit() {
-    let text = nine_piece_scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.01 }}"));
-    let (_, summary) = run_calibration(&text, &restitutions(), &[], 0);
-    let key = &summary["keys"][0];
-    assert_close(&key["estimate"], 346.702e6, 3e-5);
-    assert_close(&key["sd"], 4.3305e6, 0.02);
-    for (interval, wanted) in [("interval_68", [342.415e6, 351.380e6]), ("interval_95", [338.417e6, 355.624e6])] {
-        bounds(&key[interval]).iter().zip(wanted).for_each(|(end, wanted)| assert_close(end, wanted, 1e-4));
-    }
-    assert_close(&summary["chi_square"], 15.910_44, 1e-6);
-    assert_close(&summary["p"], 0.068_776, 1e-4);
-}
-
-// least squares over 11 001 strengths from 300 to 410 MPa, with the weights taken anew from the law until they stay
-#[test]
-fn with_an_unknown_noise_the_scatter_gives_it() {
-    let text = nine_piece_scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = \"estimate\""));
-    let (_, summary) = run_calibration(&text, &restitutions(), &[], 0);
-    let key = &summary["keys"][0];
-    assert_close(&key["estimate"], 349.2813e6, 3e-5);
-    assert_close(&key["sd"], 5.8213e6, 0.02);
-    assert_close(&summary["estimated_noise"], 0.024_649_8, 1e-5);
-    // Student's t with 9 degrees of freedom
-    for (interval, wanted) in [("interval_68", [342.706e6, 355.616e6]), ("interval_95", [335.702e6, 363.066e6])] {
-        bounds(&key[interval]).iter().zip(wanted).for_each(|(end, wanted)| assert_close(end, wanted, 1e-4));
-    }
-    assert!(summary["p"].is_null());
-}
-
-#[test]
-fn two_keys_match_lmfit_and_brute_force() {
-    let text = nine_piece_scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
-    let (_, summary) = run_calibration(&text, SYNTHETIC_DATA, &[], 0);
-    let keys = &summary["keys"];
-    assert_close(&keys[0]["estimate"], 344.1025e6, 1e-4);
-    assert_close(&keys[0]["sd"], 4.0671e6, 0.02);
-    assert_close(&keys[1]["estimate"], 208.6711e9, 2e-4);
-    assert_close(&keys[1]["sd"], 7.4755e9, 0.02);
-    assert_close(&summary["correlation"], 0.4604, 0.02);
-    assert_close(&summary["chi_square"], 21.994_35, 1e-5);
-    let wanted =
-        [[[340.068e6, 348.184e6], [336.233e6, 352.228e6]], [[200.9894e9, 216.3031e9], [193.7979e9, 224.0338e9]]];
-    for (i, wanted) in wanted.iter().enumerate() {
-        for (interval, wanted) in ["interval_68", "interval_95"].iter().zip(wanted) {
-            bounds(&keys[i][interval]).iter().zip(wanted).for_each(|(end, wanted)| assert_close(end, *wanted, 3e-4));
-        }
-    }
-}
-
-#[test]
-fn posterior_of_two_keys_is_only_picture() {
-    // with as many values as keys there are no residuals to draw
-    let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
-    let data = "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n3,0.49,1100,20\n";
-    let (desk, _) = run_calibration(&text, data, &SVG_PICTURES, 0);
-    let files = desk.files("o");
-    let pictures = files.iter().filter(|name| name.contains(".svg"));
-    assert_eq!(pictures.collect::<Vec<_>>(), ["posterior.svg"]);
-}
-
-#[test]
-fn restitution_alone_cannot_separate_strength_and_modulus() {
-    let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
-    let (desk, summary) = run_calibration(&text, &restitutions(), &SVG_PICTURES, 0);
-    let refusal = summary["refusal"].as_str().unwrap();
-    assert!(refusal.contains("cannot identify the keys separately") && refusal.contains("contact_time"), "{refusal}");
-    for key in summary["keys"].as_array().unwrap() {
-        assert!(key["interval_95"].is_null() && key["sd"].is_null());
-    }
-    // e depends on strength^5/modulus^4, and a little on the compliances of the two bodies
-    let known = summary["identifiability"]["best_known_combination"].as_str().unwrap();
-    assert!(known.starts_with("half_space.yield_strength x half_space.youngs_modulus^-0."), "{known}");
-    assert!(desk.path("o/posterior.svg").exists());
-}
 
 #[test]
 fn hardness_tester_is_calibrated_by_one_reading() {
@@ -244,25 +153,6 @@ fn one_drop_needs_heights_of_fall_and_rebound() {
 }
 
 #[test]
-fn contradicting_data_end_with_code_3() {
-    let rising = "speed_m_per_s,restitution\n0.5,0.4\n1,0.5\n2,0.6\n4,0.7\n";
-    let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.01 }}"));
-    let (desk, summary) = run_calibration(&text, rising, &SVG_PICTURES, 3);
-    assert_eq!(summary["fits"], false);
-    assert!(summary["contradiction"].as_str().unwrap().contains("chi-square"));
-    let wanted = ["calibrated.toml", "fit_restitution.svg", "residuals.csv", "residuals.svg", "summary.json"];
-    assert_eq!(desk.files("o"), wanted);
-    // no noise is given, and the law deviates much and systematically
-    let rising =
-        (1..13).fold("speed_m_per_s,restitution\n".to_owned(), |data, i| data + &format!("{i},0.{}\n", 40 + 3 * i));
-    let (_, summary) = run_calibration(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}")), &rising, &[], 3);
-    assert!(summary["contradiction"].as_str().unwrap().contains("the residuals are not random"));
-    // no strength in the range gives this restitution
-    let (_, summary) = run_calibration(crate::common::STEEL, "", &["--restitution", "0.02"], 3);
-    assert!(summary["contradiction"].as_str().unwrap().contains("no value of half_space.yield_strength"));
-}
-
-#[test]
 fn two_materials_in_one_file_are_two_basins() {
     // half of the impacts at 200 MPa, half at 800 MPa: with long tails, each half sees the other as outliers
     let data = restitution_over_speed(
@@ -281,23 +171,6 @@ fn two_materials_in_one_file_are_two_basins() {
     // the interval includes both strengths
     let interval = &summary["keys"][0]["interval_95"];
     assert!(interval["low"].as_f64().unwrap() < 201e6 && interval["high"].as_f64().unwrap() > 799e6, "{interval}");
-}
-
-#[test]
-fn interval_at_its_bound_is_not_bounded() {
-    // these impacts stay below first yield for every high strength, which gives e = 1
-    let data = "speed_m_per_s,restitution,restitution_sd\n0.01,1,0.01\n0.02,0.99,0.01\n";
-    let (desk, summary) = run_calibration(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}")), data, &[], 0);
-    let interval = &summary["keys"][0]["interval_95"];
-    assert!(interval["high"].is_null() && interval["low"].as_f64().unwrap() > 100e6, "{interval}");
-    assert_eq!(interval["note"], "open interval");
-    assert!(
-        desk.run_expecting(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0)
-            .0
-            .contains("and more (open interval)")
-    );
-    desk.run_expecting(&["calibrate", "s.toml", "--out", "p", "--pictures", "none", "--strict"], 1);
-    assert!(!desk.path("p").exists());
 }
 
 #[test]

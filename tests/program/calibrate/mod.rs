@@ -8,3 +8,4 @@ pub mod fits;
 pub mod limits;
 pub mod plate;
 pub mod statistics;
+pub mod table;

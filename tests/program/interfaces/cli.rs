@@ -98,7 +98,7 @@ fn huge_values_are_read_or_refused_briefly() {
     let refused = |text: &str, wants: &[&str]| assert_refused(&Sandbox::with(text), &["check", "s.toml"], wants);
     let long_line = "x".repeat(SIZE);
     refused(&long_line, &["s.toml:1:"]);
-    refused(&"sped = 3\n".repeat(SIZE / 9), &["s.toml:2:1", "`sped` is there twice, first in line 1"]);
+    refused(&"sped = 3\n".repeat(SIZE / 9), &["s.toml:2:1", "`sped` is given twice, first in line 1"]);
     // of such a long value or key only both ends are shown
     let digits = STEEL.replace("\"3 m/s\"", &format!("\"{} m/s\"", "3".repeat(SIZE)));
     refused(&digits, &["s.toml:19:9: impact.speed: \"333", "> 0 m/s and finite"]);

@@ -286,13 +286,14 @@ fn motion_of_scenario_is_omitted_and_named() {
     };
     let oblique = "[impact]\nspeed = \"3 m/s\"\nangle = \"60 deg\"\n[friction]\ncoefficient = 0.2\n";
     let (e, text) = of(oblique, &[]);
-    assert!((e - law(1.5)).abs() < 1e-8 && text.contains("impact.angle is left out"), "{e} {text}");
+    assert!((e - law(1.5)).abs() < 1e-8 && text.contains("impact.angle is not exported"), "{e} {text}");
     let bouncing =
         "[impact]\ndrop_height = \"0.5 m\"\n[gravity]\nacceleration = 9.81\n[repeat]\nimpacts = 3\nspot = \"same\"\n";
     let (e, text) = of(bouncing, &[]);
     assert!((e - law((9.81_f64).sqrt())).abs() < 1e-8, "{e} {text}");
     assert!(
-        text.contains("# [repeat] is left out: this is the first impact") && text.contains("# [gravity] is left out")
+        text.contains("# [repeat] is not exported: the lines are for the first impact")
+            && text.contains("# [gravity] is not exported")
     );
     let swept = "[impact]\nspeed = \"3 m/s\"\n[sweep]\n\"half_space.youngs_modulus\" = [\"210 GPa\", \"70 GPa\"]\n";
     let (e, text) = of(swept, &["--speed", "2 m/s"]);

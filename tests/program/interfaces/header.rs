@@ -159,12 +159,12 @@ fn what_header_lacks_is_refused_by_name() {
     let ways: [(&[&str], &str); 5] = [
         (
             &["--set", "law=walton_braun"],
-            "the law walton_braun cannot be a header, because its loading does not begin as Hertz's contact",
+            "the law walton_braun cannot be a header, because its loading does not begin with Hertz's law",
         ),
-        (&["--set", "law=yigit_christoforou"], "because its unloading curve is no power of the distance"),
+        (&["--set", "law=yigit_christoforou"], "because its unloading curve is not a power of the distance"),
         (&["--set", "damping.viscous=0.1"], "is not supported in a DEM contact"),
-        (&["--speed", "3 m/s"], "--speed: a header has the force at every indentation, and no speed"),
-        (&["--speeds", "1 m/s,3 m/s"], "--speeds: a header has the force"),
+        (&["--speed", "3 m/s"], "--speed: a header does not depend on a speed"),
+        (&["--speeds", "1 m/s,3 m/s"], "--speeds: a header does not depend"),
     ];
     for (more, words) in ways {
         let desk = Sandbox::with(STEEL);

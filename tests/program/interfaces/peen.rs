@@ -12,13 +12,13 @@ const EXAMPLE: [&str; 11] = [
     "peen",
     "--diameter",
     "0.6 mm",
-    "--material",
+    "--shot-material",
     "steel-52100-hardened",
     "--speed",
     "40 m/s",
     "--on",
     "steel-4140-qt",
-    "--on-hardness",
+    "--hardness",
     "300 HV",
 ];
 
@@ -54,7 +54,8 @@ fn coverage_follows_from_dent_by_hand() {
     desk.run_expecting(&["run", "p.toml", "--out", "out", "--pictures", "none"], 0);
     assert_eq!(desk.summary()["time_for_coverage_s"], peened["time_for_coverage_s"]);
     // S230: 0.0230 inch
-    let named = ["peen", "--shot", "s-230", "--hardness", "55 HRC", "--speed", "40 m/s", "--on", "copper-annealed"];
+    let named =
+        ["peen", "--shot", "s-230", "--shot-hardness", "55 HRC", "--speed", "40 m/s", "--on", "copper-annealed"];
     let named = json(&desk, &named, &[]);
     let shot = 4.0 / 3.0 * PI * (0.0230 * 0.0254 / 2.0_f64).powi(3) * 7830.0;
     assert!(relative_error(number(&named, "shot_mass_kg"), shot) < 1e-9, "{named}");
@@ -122,13 +123,16 @@ fn bad_options_are_refused() {
     let desk = Sandbox::with("");
     let steel = ["peen", "--speed", "60 m/s", "--on", "steel-4140-qt"];
     for (more, says) in [
-        (&["--shot", "S230", "--hardness", "46 HRC", "--coverage", "1.2"][..], "--coverage: 1.2 is not allowed"),
-        (&["--shot", "S240", "--hardness", "46 HRC"], "did you mean \"S230\"?"),
-        (&["--shot", "S230"], "--hardness: the hardness of the shot is missing"),
-        (&["--shot", "Z150"], "--material: the material of Z150 is not known"),
-        (&["--shot", "S230", "--hardness", "46 HRC", "--angle", "100 deg"], "counted from the surface"),
-        (&["--shot", "S230", "--hardness", "46 HRC", "--mass-flow", "5 kg", "--area", "1 m^2"], "--mass-flow"),
-        (&["--shot", "S230", "--hardness", "46 HRC", "--window", "none/w.png"], "Choose another file with --window"),
+        (&["--shot", "S230", "--shot-hardness", "46 HRC", "--coverage", "1.2"][..], "--coverage: 1.2 is not allowed"),
+        (&["--shot", "S240", "--shot-hardness", "46 HRC"], "did you mean \"S230\"?"),
+        (&["--shot", "S230"], "--shot-hardness: the hardness of the shot is missing"),
+        (&["--shot", "Z150"], "--shot-material: the material of Z150 is not known"),
+        (&["--shot", "S230", "--shot-hardness", "46 HRC", "--angle", "100 deg"], "counted from the surface"),
+        (&["--shot", "S230", "--shot-hardness", "46 HRC", "--mass-flow", "5 kg", "--area", "1 m^2"], "--mass-flow"),
+        (
+            &["--shot", "S230", "--shot-hardness", "46 HRC", "--window", "none/w.png"],
+            "Choose another file with --window",
+        ),
     ] {
         let (_, said) = desk.run_expecting(&[&steel, more].concat(), 2);
         assert!(said.contains(says), "{more:?}: {said}");
@@ -241,7 +245,7 @@ fn limit_is_that_of_the_yielding_body() {
     let soft = [
         "--diameter",
         "0.6 mm",
-        "--material",
+        "--shot-material",
         "aluminium-6061-t6",
         "--speed",
         "20 m/s",
@@ -253,7 +257,7 @@ fn limit_is_that_of_the_yielding_body() {
     let hard = [
         "--diameter",
         "0.6 mm",
-        "--material",
+        "--shot-material",
         "steel-52100-hardened",
         "--speed",
         "20 m/s",

@@ -1,8 +1,6 @@
 //! Numbers that the terminal shows in another way, as they do not hold: beyond the law, below the sticking speed, 0 but for
 //! rounding.
 
-use plm_impact::report::run;
-
 use crate::common::prelude::*;
 
 fn printed(text: &str, set: &[impl ToString]) -> String {
@@ -33,23 +31,6 @@ fn first_yield_beyond_the_law_is_not_printed() {
     assert!(!checked.contains("v_Y") && !checked.contains("F_Y"), "{checked}");
     desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     assert!(desk.summary().get("yield_speed_m_per_s").is_none());
-}
-
-/// Where a law has its own pressure at first yield, that pressure decides whether the law reaches first yield.
-#[test]
-fn first_yield_is_that_of_the_law() {
-    let thornton = |pressure: &str, strength: &str| {
-        let set = ["law=thornton".to_owned(), format!("law.thornton.yield_pressure={pressure}"), strength.to_owned()];
-        (printed(STEEL, &set), contact(STEEL, &set).yield_speed(), run::check(&read(STEEL, &set)).unwrap().text)
-    };
-    // the strength is never reached, but the pressure is
-    let (said, speed, checked) = thornton("500 MPa", "half_space.yield_strength=1e15");
-    assert!(said.contains("yield speed") && said.contains("yield force") && speed.is_some(), "{said}");
-    assert!(checked.contains("yield speed v_Y") && !checked.contains("wider than the sphere"), "{checked}");
-    // the strength is reached, but the pressure is not
-    let (said, speed, checked) = thornton("200 GPa", "half_space.yield_strength=345e6");
-    assert!(!said.contains("yield speed") && speed.is_none(), "{said}");
-    assert!(!checked.contains("yield speed v_Y") && checked.contains("wider than the sphere"), "{checked}");
 }
 
 /// Newton's cradle: the first of two equal elastic balls stays.
@@ -90,22 +71,6 @@ fn nearly_0_has_no_digits() {
     assert!(line(&said, "restitution").unwrap().ends_with("nearly 0 (below 0.02)"), "{said}");
     assert!(line(&said, "rebound height").unwrap().ends_with("nearly 0"), "{said}");
     assert!(!drop("5 mm").0.contains("nearly 0"));
-}
-
-/// Walton and Braun's law is a pair of springs, and parquet that a table-tennis ball hits has no dent.
-#[test]
-fn springs_leave_no_dent() {
-    let law = ["law=walton_braun"];
-    let said = printed(STEEL, &law);
-    assert!(!said.contains("dent ") && said.contains("residual indentation"), "{said}");
-    assert!(
-        printed(STEEL, NO_OVERRIDES).contains("dent depth")
-            && printed(STEEL, &["law=thornton"]).contains("dent diameter")
-    );
-    let slow = STEEL.replace("[impact]\nspeed = \"3 m/s\"", "[indentation]\nsteps = [{ load = \"50 N\" }]");
-    let said = printed(&slow, &law);
-    assert!(!said.contains("dent depth") && said.contains("residual indentation"), "{said}");
-    assert!(printed(&slow, NO_OVERRIDES).contains("dent depth"));
 }
 
 #[test]

@@ -2,6 +2,8 @@
 
 use plm_impact::scenario::document::edit::{Change, given_values, with_changes, with_value};
 
+use crate::common::prelude::*;
+
 const TEXT: &str = "# a ball\n[sphere]\n# how large\nradius = \"5 mm\"  # not the diameter\n[impact]\nspeed = 3\n";
 
 #[test]
@@ -83,4 +85,30 @@ fn text_has_exactly_its_changed_keys() {
     assert_eq!(found.len(), 4, "{found:?}");
     // a comment behind a number is no part of it
     assert_eq!(given_values("speed = 3  # fast\n").unwrap(), [("speed".to_owned(), "3".to_owned())]);
+}
+
+#[test]
+fn override_replaces_law_of_file() {
+    let law = |own: &str, changes: &[&str]| {
+        let scenario = Scenario::from_text("steel.toml", &format!("{STEEL}{own}"), &Override::list(changes));
+        scenario
+            .and_then(|scenario| scenario.resolve())
+            .map(|scene| format!("{:?}", scene.law()))
+            .map_err(|e| e.to_string())
+    };
+    let in_file = |own: &str| law(own, &[]).unwrap();
+    let plm = "[law.plm]\nunloading_exponent = 1.6\n";
+    let thornton = "[law.thornton]\nyield_pressure = 7e8\n";
+    assert_ne!(in_file(plm), in_file(thornton));
+    for own in ["", plm, "[law.hertz]\n", "[law.combined]\nloading = \"plm\"\nunloading = \"brake\"\n"] {
+        assert_eq!(law(own, &["law.thornton.yield_pressure=700 MPa"]).unwrap(), in_file(thornton), "{own}");
+        assert_eq!(law(own, &["law=thornton"]).unwrap(), in_file("[law.thornton]\n"), "{own}");
+        assert_eq!(law(own, &["law={ thornton = { yield_pressure = 7e8 } }"]).unwrap(), in_file(thornton), "{own}");
+        let combined = in_file("[law.combined]\nloading = \"jackson_green\"\nunloading = \"brake\"\n");
+        assert_eq!(law(own, &["law=jackson_green + brake"]).unwrap(), combined, "{own}");
+        // the last override counts
+        assert_eq!(law(own, &["law=stronge", "law=hertz"]).unwrap(), in_file("[law.hertz]\n"), "{own}");
+    }
+    // keys of the same law are kept
+    assert_eq!(law(thornton, &["law=thornton"]).unwrap(), in_file(thornton));
 }

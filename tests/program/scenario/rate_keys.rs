@@ -81,7 +81,7 @@ fn a_series_and_a_trace_have_the_rate() {
     assert!(summary["rate_factor"].as_f64().unwrap() > summary["rate_factor_at_peak"].as_f64().unwrap());
     assert_eq!(summary["inputs"]["half_space_rate_tested_at_per_s"], 0.001);
     let lines = desk.run_expecting(&["export", "s.toml", "--to", "lammps"], 0).0;
-    assert_eq!(lines.matches("the strength is that of the strain rate").count(), 1, "{lines}");
+    assert_eq!(lines.matches("the strength depends on the strain rate").count(), 1, "{lines}");
 }
 
 /// Rate and strength together do not follow from restitutions, and the refusal says why.

@@ -163,7 +163,7 @@ fn e_of_quenched_steels_is_biased_low() {
     let slow = bias(&[]);
     let [least, most] = ends(&slow);
     assert!(comparison::mean(&slow).abs() < 3.5 && most > -5.0 && least < 0.0, "{slow:?}");
-    let row = format!("| quenched steels, without a rate: too low by {:.1} to {:.1} %", -least, -most);
+    let row = format!("| quenched steels, without strain-rate keys: too low by {:.1} to {:.1} %", -least, -most);
     assert!(guide.contains(&row), "{row}");
     let fast = bias(&["half_space.rate.johnson_cook.c=0.006"]);
     assert!(comparison::mean(&fast).abs() < 1.5, "{fast:?}");

@@ -13,8 +13,8 @@ use clap::{ArgGroup, Args};
     group = ArgGroup::new("size").required(true),
     group = ArgGroup::new("approach").required(true),
     after_help = "Examples:
-  plm-impact peen --shot S230 --hardness \"46 HRC\" --speed \"60 m/s\" --on steel-4140-qt --mass-flow \"5 kg/min\" --area \"50 cm^2\"
-  plm-impact peen --shot S230 --hardness \"46 HRC\" --speed \"60 m/s\" --speed-sd \"6 m/s\" --on aluminium-7075-t6 --save peen.toml"
+  plm-impact peen --shot S230 --shot-hardness \"46 HRC\" --speed \"60 m/s\" --on steel-4140-qt --mass-flow \"5 kg/min\" --area \"50 cm^2\"
+  plm-impact peen --shot S230 --shot-hardness \"46 HRC\" --speed \"60 m/s\" --speed-sd \"6 m/s\" --on aluminium-7075-t6 --save peen.toml"
 )]
 pub struct PeenArguments {
     /// Shot by its trade name: S70 to S780, CW14 to CW62, GB10 to GB100, Z100 to Z850
@@ -25,25 +25,25 @@ pub struct PeenArguments {
     pub diameter: Option<String>,
     /// Material of the shot [default: bearing steel for S and CW, soda-lime glass for GB]
     #[arg(long, value_name = "MATERIAL")]
-    pub material: Option<String>,
+    pub shot_material: Option<String>,
     /// Hardness of the shot, such as "46 HRC"
-    #[arg(long, conflicts_with = "strength")]
-    pub hardness: Option<String>,
+    #[arg(long, conflicts_with = "shot_strength")]
+    pub shot_hardness: Option<String>,
     /// Yield strength of the shot, instead of its hardness
     #[arg(long)]
-    pub strength: Option<String>,
+    pub shot_strength: Option<String>,
     /// Material of the target; `plm-impact materials` lists all
     #[arg(long, value_name = "MATERIAL")]
     pub on: String,
     /// Override the hardness of the target, such as "300 HV"
-    #[arg(long, value_name = "HARDNESS", conflicts_with = "on_strength")]
-    pub on_hardness: Option<String>,
+    #[arg(long, value_name = "HARDNESS", conflicts_with = "strength")]
+    pub hardness: Option<String>,
     /// Override the yield strength of the target
     #[arg(long, value_name = "STRENGTH")]
-    pub on_strength: Option<String>,
+    pub strength: Option<String>,
     /// Which stress the strength of the target is: "flow" in the impact, or the 0.2 % "proof" stress
-    #[arg(long, value_name = "KIND", requires = "on_strength")]
-    pub on_strength_kind: Option<String>,
+    #[arg(long, value_name = "KIND", requires = "strength")]
+    pub strength_kind: Option<String>,
     /// Speed of the shot, such as "60 m/s"
     #[arg(long, group = "approach")]
     pub speed: Option<String>,

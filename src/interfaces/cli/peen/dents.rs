@@ -13,7 +13,7 @@ use super::compute::{compute, read, summary};
 /// # Errors
 /// A fit that fails.
 pub fn band_text(arguments: &PeenArguments, text: &str) -> Result<String, Error> {
-    let is_given = arguments.on_hardness.is_some() || arguments.on_strength.is_some();
+    let is_given = arguments.hardness.is_some() || arguments.strength.is_some();
     let hardness = find(&arguments.on).and_then(|material| material.get(Property::Hardness));
     let Some(hardness) = hardness.filter(|_| !is_given) else { return Ok(String::new()) };
     let mut speeds = Vec::new();
@@ -26,7 +26,7 @@ pub fn band_text(arguments: &PeenArguments, text: &str) -> Result<String, Error>
         speeds.push(format!("{} at {}", format_result(speed, Dimension::Speed), end.text));
     }
     Ok(format!(
-        "\nThe hardness of {} varies: the speed is {}. Give the measured --on-hardness.\n",
+        "\nThe hardness of {} varies: the speed is {}. Give the measured --hardness.\n",
         arguments.on,
         speeds.join(", and ")
     ))

@@ -25,7 +25,7 @@ const NOT_CLAIMED: &str = "Depths and compression belong to one dent. Overlappin
 intensity.
 ";
 /// A warning about a hardness or a strength of the shot that changes nothing. Every shot of steel needs one of the two.
-const UNUSED_SHOT_STRENGTH: [&str; 2] = ["--hardness has no effect", "--strength has no effect"];
+const UNUSED_SHOT_STRENGTH: [&str; 2] = ["--shot-hardness has no effect", "--shot-strength has no effect"];
 
 /// A picture in a vector format has files of this extension.
 const SVG: &str = "svg";

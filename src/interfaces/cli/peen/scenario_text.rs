@@ -17,14 +17,14 @@ use super::shot::{ShotText, shot_text};
 pub const OPTIONS: OptionKeys = OptionKeys {
     command: "peen",
     options: &[
-        ("sphere.material", "--material"),
+        ("sphere.material", "--shot-material"),
         ("sphere.diameter", "--diameter"),
-        ("sphere.yield_strength", "--strength"),
-        ("sphere.hardness", "--hardness"),
+        ("sphere.yield_strength", "--shot-strength"),
+        ("sphere.hardness", "--shot-hardness"),
         ("half_space.material", "--on"),
-        ("half_space.yield_strength", "--on-strength"),
-        ("half_space.strength_kind", "--on-strength-kind"),
-        ("half_space.hardness", "--on-hardness"),
+        ("half_space.yield_strength", "--strength"),
+        ("half_space.strength_kind", "--strength-kind"),
+        ("half_space.hardness", "--hardness"),
         ("impact.speed", "--speed"),
         ("impact.angle", "--angle"),
         ("friction.coefficient", "--friction"),
@@ -54,13 +54,13 @@ pub fn scenario_text(arguments: &PeenArguments) -> Result<String, Error> {
         push_key(&mut text, "diameter", Some(&diameter));
         text = text.trim_end().to_owned() + &comment + "\n";
     }
-    push_key(&mut text, "yield_strength", arguments.strength.as_deref());
-    push_key(&mut text, "hardness", arguments.hardness.as_deref());
+    push_key(&mut text, "yield_strength", arguments.shot_strength.as_deref());
+    push_key(&mut text, "hardness", arguments.shot_hardness.as_deref());
     text.push_str("\n[half_space]\n");
     push_key(&mut text, "material", Some(&arguments.on));
-    push_key(&mut text, "yield_strength", arguments.on_strength.as_deref());
-    push_key(&mut text, "strength_kind", arguments.on_strength_kind.as_deref());
-    push_key(&mut text, "hardness", arguments.on_hardness.as_deref());
+    push_key(&mut text, "yield_strength", arguments.strength.as_deref());
+    push_key(&mut text, "strength_kind", arguments.strength_kind.as_deref());
+    push_key(&mut text, "hardness", arguments.hardness.as_deref());
     push_recommended_exponent(&mut text);
     if let Some(dents) = &arguments.dents {
         let path = absolute(dents).map_err(failed_with(dents.display()))?;

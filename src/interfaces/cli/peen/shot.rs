@@ -21,11 +21,11 @@ pub struct ShotText {
 pub fn shot_text(arguments: &PeenArguments) -> Result<ShotText, Error> {
     let named = arguments.shot.as_deref().map(find_shot).transpose();
     let named = named.map_err(|message| Error::input(format!("--shot: {message}")))?;
-    let material = arguments.material.as_deref().or_else(|| Some(named?.kind.material()?.name.as_str()));
+    let material = arguments.shot_material.as_deref().or_else(|| Some(named?.kind.material()?.name.as_str()));
     let Some(material) = material else {
         let shot = named.map_or("the shot", |shot| shot.name.as_str());
         return Err(Error::input(format!(
-            "--material: the material of {shot} is not known. Give --material, such as --material steel-52100-hardened; `plm-impact materials` lists all."
+            "--shot-material: the material of {shot} is not known. Give --shot-material, such as --shot-material steel-52100-hardened; `plm-impact materials` lists all."
         )));
     };
     check_strength(arguments, named, material)?;
@@ -39,15 +39,15 @@ pub fn shot_text(arguments: &PeenArguments) -> Result<ShotText, Error> {
 
 /// Refuses a shot of metal without a strength. The hardness of steel shot is ordered, so the hardness of a bearing ball is no default.
 fn check_strength(arguments: &PeenArguments, named: Option<&Shot>, material: &str) -> Result<(), Error> {
-    if arguments.hardness.is_some() || arguments.strength.is_some() {
+    if arguments.shot_hardness.is_some() || arguments.shot_strength.is_some() {
         return Ok(());
     }
-    let is_default = arguments.material.is_none() && named.is_some_and(|shot| shot.kind.is_steel());
+    let is_default = arguments.shot_material.is_none() && named.is_some_and(|shot| shot.kind.is_steel());
     let lacks_strength =
         || find(material).is_some_and(|entry| entry.is_metal() && entry.get(Property::Hardness).is_none());
     if is_default || lacks_strength() {
         return Err(Error::input(
-            "--hardness: the hardness of the shot is missing, and a soft shot becomes flat instead of denting the target. Give --hardness (cast steel shot is sold with 40 to 51 HRC and harder, such as --hardness \"46 HRC\") or --strength.",
+            "--shot-hardness: the hardness of the shot is missing, and a soft shot becomes flat instead of denting the target. Give --shot-hardness (cast steel shot is sold with 40 to 51 HRC and harder, such as --shot-hardness \"46 HRC\") or --shot-strength.",
         ));
     }
     Ok(())

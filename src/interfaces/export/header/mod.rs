@@ -95,7 +95,7 @@ fn law_text(input: &Input, contact: &Contact) -> String {
     let law = input.law();
     let rate = contact.strain_rate_result().map_or_else(String::new, |rated| {
         format!(
-            "; strength at {:.4e} 1/s, {:.4} times that of the test, at maximum compression {:.4} times",
+            "; strength at {:.4e} 1/s: {:.4} times the strength of the slow test, at maximum compression {:.4} times",
             rated.strain_rate, rated.factor, rated.factor_at_peak
         )
     });

@@ -3,7 +3,7 @@
 
 use super::law_error::paper_exponent_error;
 use crate::contact::law::{LawChoice, UnloadingExponent};
-use crate::contact::strength::kind::StrengthKind;
+use crate::contact::strength::kind::{IMPACT_STRAINS, StrengthKind};
 use crate::impact::{Contact, TOO_HIGH_BY};
 use crate::materials::{MaterialEntry, PropertyValue};
 use crate::results::restitution_interval::{HARDNESS, IntervalPart, PartKind};
@@ -218,7 +218,7 @@ pub fn strength_notes(input: &Input, contact: &Contact, has_dent: bool, varied: 
             format!(" = {}", format_input(strength, Dimension::Pressure))
         };
         notes.push(format!(
-            "{WHICH_STRENGTH} e holds if {key}{value} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, e is up to 38 % too low. Set {}.strength_kind to \"flow\" or \"proof\": scenarios/README.md#which-strength",
+            "{WHICH_STRENGTH} e holds if {key}{value} is the flow stress at a plastic strain of {IMPACT_STRAINS}. If {key} is the 0.2 % proof stress of a metal that hardens, e is up to 38 % too low. Set {}.strength_kind to \"flow\" or \"proof\": scenarios/README.md#which-strength",
             body.table_name()
         ));
     }
