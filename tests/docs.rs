@@ -17,7 +17,8 @@ use tempfile::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const TUTORIAL: &str = "scenarios/tutorial.md";
-const PAGES: [&str; 17] = [
+const PAPER: &str = "scenarios/paper.md";
+const PAGES: [&str; 18] = [
     "README.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
@@ -26,6 +27,7 @@ const PAGES: [&str; 17] = [
     "scenarios/comparison.md",
     "scenarios/gallery.md",
     "scenarios/keys.md",
+    PAPER,
     "scenarios/results.md",
     "scenarios/tables.md",
     "scenarios/trust.md",
@@ -320,6 +322,35 @@ fn tutorial_heights_match_its_hardness() {
         let off = measured.parse::<f64>().unwrap() - height;
         assert!(off.abs() < 3.0 * 1_f64.hypot(0.01 * height), "{line} {height}");
     }
+}
+
+/// The table of the paper has a row for each of its 13 figures and 3 tables. Every command of the table runs, and leaves git clean.
+#[test]
+fn commands_for_figures_of_paper_run() {
+    let (clone, page) = (Clone::new(), read(PAPER));
+    let rows: Vec<Vec<&str>> =
+        page.lines().filter(|line| line.starts_with("| ")).skip(1).map(|line| line.split(" | ").collect()).collect();
+    let has = |name: &str| {
+        let is_end = |rest: &str| !rest.starts_with(|c: char| c.is_ascii_digit());
+        rows.iter().any(|row| row[0].split(name).skip(1).any(is_end))
+    };
+    let names = (1..=13).map(|i| format!("Figure {i}")).chain((1..=3).map(|i| format!("Table {i}")));
+    assert_eq!(names.filter(|name| !has(name)).collect::<Vec<_>>(), <[String; 0]>::default());
+    let commands: BTreeSet<&str> = rows.iter().filter_map(|row| row[2].strip_prefix('`')?.strip_suffix('`')).collect();
+    assert!(commands.len() > 8, "{commands:?}");
+    for command in commands {
+        clone.shell(command, 0);
+        assert_eq!(clone.shell("git status --porcelain", 0), "", "after {command}");
+    }
+    // files that the last column names
+    let pictures = ["figure-10-at-13.png", "figure-10-at-105.png", "figure-10-at-843.png", "validation.csv"];
+    assert!(pictures.iter().all(|name| page.contains(name) && clone.path().join("plots/paper").join(name).exists()));
+    let validation = fs::read_to_string(clone.path().join("plots/paper/validation.csv")).unwrap();
+    assert!(validation.contains("unloading: residual indentation from the reference's peak (Eq. 23)"));
+    let summary = clone
+        .shell("plm-impact run scenarios/paper-case-3.toml --set impact.speed='2.719 m/s' --json --pictures none", 0);
+    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    assert!((1e3 * summary["residual_radius_m"].as_f64().unwrap() - 39.20).abs() < 0.005, "{summary}");
 }
 
 /// The anchor that GitHub gives a heading.

@@ -38,6 +38,8 @@ named_enum! {
         Glass = "glass",
         /// It cracks, but only where metals flow already; hardmetal too.
         Ceramic = "ceramic",
+        /// It cracks and crushes; concrete too.
+        Stone = "stone",
         /// It creeps.
         Polymer = "polymer",
     }
@@ -109,6 +111,8 @@ pub struct MaterialEntry {
     pub name: String,
     /// The material and its condition, in words.
     pub title: String,
+    /// Other names, as [`super::plain_name`] writes them.
+    pub aliases: Vec<String>,
     pub class: MaterialClass,
     /// The metal hardens, but no two sources agree on the exponent.
     pub lacks_exponent: bool,
@@ -171,7 +175,12 @@ impl MaterialEntry {
         self.rate_class.map(RateClass::rise)
     }
 
-    /// True if the material yields. Glass, ceramics and polymers are computed as elastic.
+    /// True if the library has its strength: without one the contact is elastic.
+    pub fn has_strength(&self) -> bool {
+        self.get(Property::Hardness).is_some()
+    }
+
+    /// True if the material yields. Glass, ceramics, stones and polymers are computed as elastic.
     pub fn is_metal(&self) -> bool {
         self.class == MaterialClass::Metal
     }

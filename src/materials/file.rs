@@ -12,6 +12,9 @@ use serde::Deserialize;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct MaterialFile {
+    /// Materials that are left out, and why.
+    #[serde(default)]
+    absent: BTreeMap<String, String>,
     basis: BTreeMap<String, String>,
     sources: BTreeMap<String, String>,
     material: Vec<RawMaterial>,
@@ -21,6 +24,8 @@ struct MaterialFile {
 struct RawMaterial {
     name: String,
     title: String,
+    #[serde(default)]
+    aliases: Vec<String>,
     class: MaterialClass,
     #[serde(default)]
     lacks_exponent: bool,
@@ -46,15 +51,26 @@ struct RawProperty {
 /// # Errors
 /// [`Error`] for a text of another form, a value that is not allowed, and a source without an entry.
 pub fn read(text: &str) -> Result<Vec<MaterialEntry>, Error> {
-    let MaterialFile { basis, sources, material } =
-        toml::from_str(text).map_err(|error| Error::input(error.to_string()))?;
+    let MaterialFile { basis, sources, material, .. } = parse(text)?;
     let entry = |raw: RawMaterial| {
-        let RawMaterial { name, title, class, lacks_exponent, rate_class, creeps, note, known } = raw;
+        let RawMaterial { name, title, aliases, class, lacks_exponent, rate_class, creeps, note, known } = raw;
         let known = known.into_iter().map(|(property, raw)| raw.into_property(&name, property, &basis, &sources));
         let known = known.collect::<Result<_, Error>>()?;
-        Ok(MaterialEntry { name, title, class, lacks_exponent, rate_class, creeps, note, properties: known })
+        Ok(MaterialEntry { name, title, aliases, class, lacks_exponent, rate_class, creeps, note, properties: known })
     };
     material.into_iter().map(entry).collect()
+}
+
+/// The materials that a file leaves out, with the reasons.
+///
+/// # Errors
+/// [`Error`] for a text of another form.
+pub(super) fn read_absent(text: &str) -> Result<BTreeMap<String, String>, Error> {
+    Ok(parse(text)?.absent)
+}
+
+fn parse(text: &str) -> Result<MaterialFile, Error> {
+    toml::from_str(text).map_err(|error| Error::input(error.to_string()))
 }
 
 impl RawProperty {

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value};
 
+use super::hardness_scales::ImpactBody;
 use crate::impact::{Contact, ImpactRow};
 use crate::units::Dimension;
 
@@ -78,6 +79,10 @@ pub enum Requirement {
     PeeningTime,
     /// A column that exists only if the scenario names it, or has the table of shot peening.
     Subsurface,
+    /// The body of a Leeb tester.
+    LeebTester,
+    /// The hammer of Shore's scleroscope.
+    Scleroscope,
 }
 
 /// A column of a table.
@@ -118,6 +123,10 @@ impl Requirement {
                 (PEENS_FOR_TIME, |_, row| row.peened.is_some_and(|peened| peened.request.time.is_some()))
             }
             Self::Subsurface => (SUBSURFACE, |_, row| row.subsurface.is_some()),
+            Self::LeebTester => (LEEB, |contact, row| leeb_scale(contact, row).is_some()),
+            Self::Scleroscope => {
+                (SCLEROSCOPE, |contact, row| ImpactBody::new(contact, row).is_some_and(|body| body.is_of_scleroscope()))
+            }
         }
     }
 
@@ -130,6 +139,11 @@ impl Requirement {
     pub fn is_met_by(self, contact: &Contact, row: &ImpactRow) -> bool {
         self.condition_and_test().1(contact, row)
     }
+}
+
+/// The scale of the Leeb tester with the body of this impact.
+pub(super) fn leeb_scale(contact: &Contact, row: &ImpactRow) -> Option<&'static str> {
+    ImpactBody::new(contact, row).and_then(|body| body.leeb_scale())
 }
 
 /// The values of all existing results, by name. A name with a dot belongs to a group: `energy.balance_error` is `balance_error` in `energy`.
@@ -175,6 +189,8 @@ pub(crate) const PEENS_WITH_FLOW: &str = "`[peening]` gives mass flow and area";
 pub(crate) const PEENS_FOR_TIME: &str = "`[peening]` gives mass flow, area and time";
 pub(crate) const SUBSURFACE: &str =
     "only the half-space yields, and the scenario has `[peening]`, or names the column in a table";
+pub(crate) const LEEB: &str = "mass, tip and energy of the sphere are those of a Leeb tester, and the sphere hits a fixed target along the normal ([table](README.md#hardness-scales-of-testers))";
+pub(crate) const SCLEROSCOPE: &str = "mass, tip and energy of the sphere are those of the hammer of a scleroscope, and the hammer hits a fixed target along the normal ([table](README.md#hardness-scales-of-testers))";
 pub(crate) const AIR: &str = "the scenario has air";
 pub(crate) const FORCES: &str = "the scenario has gravity, damping or a plate";
 pub(crate) const PLATE: &str = "the target is a plate";
@@ -190,6 +206,9 @@ pub(crate) const VERLET: &str = "the method is verlet";
 pub(crate) const BOUNCES: &str = "the sphere bounces under gravity";
 pub(crate) const CAPTURED: &str = "the sphere is captured";
 pub(crate) const NAMED: &str = "the half-space has a name";
+pub(crate) const DENTS: &str = "the half-space yields and the sphere does not; `null` before first yield";
+pub(crate) const BRINELL: &str = "the half-space yields and the sphere does not, the half-space is flat, and the diameter of the ball is 1 to 10 mm; `null` if the \
+     diameter of the dent is below 0.24 or above 0.6 of the diameter of the ball (ISO 6506-1)";
 pub(crate) const GIVEN: &str = "the scenario gives it for this step";
 
 /// A list of results from its entries.

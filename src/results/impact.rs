@@ -5,6 +5,8 @@
 
 use serde_json::{Value, json};
 
+use super::entry::leeb_scale;
+use super::hardness_scales::{leeb_hardness, shore_hardness};
 use super::{Requirement, ResultSpec, result_specs};
 use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::FreeFlight;
@@ -153,6 +155,15 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Restitution reduced by the work of adhesion, and by elastic waves if the half-space has a density; 0 for a sphere that
         /// sticks.
         "restitution_with_adhesion" as "restitution with adhesion" [Adhesion: |row| row.adhesion.map(|adhesion| adhesion.restitution)];
+        /// Leeb hardness: 1000 times the restitution that a test measures, which is `restitution_with_waves` if it is there. The scale is
+        /// that of `leeb_scale`.
+        "leeb_hardness_HL" briefly "Leeb hardness" [LeebTester: |row| Some(leeb_hardness(row.measured_restitution()))];
+        /// Scale of the Leeb tester with this body: HLD, HLD+15, HLC, HLE or HLG.
+        "leeb_scale" briefly "{}" if LEEB: leeb_scale(single.contact, &single.impact.row);
+        /// Shore hardness of a scleroscope, model C: (10000/65) times the ratio of rebound height to drop height, without air, which is the
+        /// square of the restitution that a test measures.
+        "shore_hardness_HSC" briefly "Shore hardness HSC"
+            [Scleroscope: |row| Some(shore_hardness(row.measured_restitution()))];
         /// Normal speed of the sphere at separation; negative if the sphere continues in the direction of the impact (free target).
         "rebound_speed_m_per_s" in Speed as "rebound speed": single.impact.rebound_speed;
         /// Speed of the target after the impact, in the direction of the impact.

@@ -14,6 +14,7 @@
 
 pub mod dent_interval;
 pub(crate) mod entry;
+pub mod hardness_scales;
 pub mod impact;
 pub mod restitution_interval;
 pub mod series;

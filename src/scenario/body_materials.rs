@@ -127,7 +127,7 @@ impl Scenario {
             _ => None,
         });
         let (metals, others): (Vec<&MaterialEntry>, Vec<&MaterialEntry>) =
-            materials.partition(|material| material.is_metal());
+            materials.partition(|material| material.has_strength());
         let ([metal, ..], [other, ..]) = (&metals[..], &others[..]) else { return Ok(()) };
         let message = format!(
             "{} can yield and {} cannot, so their tables have different columns. Make two tables, or set half_space.yield_strength.",

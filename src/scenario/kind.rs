@@ -24,7 +24,7 @@ named_enum! {
 
 /// Templates of scenarios, by name: one of each kind, and then common tasks. A comment explains every key, and a test compares the
 /// comments with the list of keys.
-pub const TEMPLATES: [(&str, &str); 11] = [
+pub const TEMPLATES: [(&str, &str); 13] = [
     ("impact", include_str!("template/impact.toml")),
     ("sweep", include_str!("template/sweep.toml")),
     ("monte_carlo", include_str!("template/monte_carlo.toml")),
@@ -35,6 +35,8 @@ pub const TEMPLATES: [(&str, &str); 11] = [
     ("plate", include_str!("template/plate.toml")),
     ("peening", include_str!("template/peening.toml")),
     ("leeb", include_str!("template/leeb.toml")),
+    ("scleroscope", include_str!("template/scleroscope.toml")),
+    ("brinell", include_str!("template/brinell.toml")),
     ("oblique", include_str!("template/oblique.toml")),
 ];
 

@@ -41,9 +41,11 @@ pub(in crate::impact) fn material_warnings(
         );
         Warning::new(WarningKind::NotAMetal, 0.0, text)
     };
-    let half_space = named.half_space.filter(|entry| is_elastic && !is_damped && !entry.is_metal());
+    let half_space = named.half_space.filter(|entry| is_elastic && !is_damped && !entry.has_strength());
     // a ball of ceramic is harder than its target
-    let is_weak = |entry: &&MaterialEntry| matches!(entry.class, MaterialClass::Glass | MaterialClass::Polymer);
+    let is_weak = |entry: &&MaterialEntry| {
+        matches!(entry.class, MaterialClass::Glass | MaterialClass::Stone | MaterialClass::Polymer)
+    };
     let sphere = named.sphere.filter(|entry| !is_damped && is_weak(entry));
     let hardens = |entry: &&MaterialEntry| entry.lacks_exponent || entry.has_hardening();
     let flow = contact.pair().yield_point.map(|point| point.yield_partition);
@@ -87,7 +89,7 @@ pub(in crate::impact) fn material_warnings(
 
 /// The warning for a named material that is elastic in a quasi-static indentation, although its strength may be exceeded.
 pub(crate) fn elastic_material_warning(half_space: &HalfSpace, entry: &MaterialEntry) -> Option<Warning> {
-    let is_elastic = half_space.yield_strength.is_none() && !entry.is_metal();
+    let is_elastic = half_space.yield_strength.is_none() && !entry.has_strength();
     Warning::new_if(is_elastic, WarningKind::NotAMetal, 0.0, || {
         format!(
             "No dent is computed: half_space.material = {} {}, and has no strength in the library. Set half_space.hardness to model a dent.",
@@ -97,14 +99,22 @@ pub(crate) fn elastic_material_warning(half_space: &HalfSpace, entry: &MaterialE
     })
 }
 
-/// The failure of a material that is not a metal, as a noun.
+/// The failure of a material without a strength in the library, as a noun.
 fn failure_name(entry: &MaterialEntry) -> &'static str {
-    if entry.class == MaterialClass::Polymer { "creep" } else { "cracking" }
+    match entry.class {
+        MaterialClass::Metal => "flow without a hardness",
+        MaterialClass::Polymer => "creep",
+        _ => "cracking",
+    }
 }
 
-/// How a material that is not a metal fails.
+/// How a material without a strength in the library fails.
 fn failure_mode(entry: &MaterialEntry) -> &'static str {
-    if entry.class == MaterialClass::Polymer { "creeps" } else { "cracks" }
+    match entry.class {
+        MaterialClass::Metal => "flows",
+        MaterialClass::Polymer => "creeps",
+        _ => "cracks",
+    }
 }
 
 /// The body whose strength the law of a contact ignores, its partner, and this strength. This is the sphere if nothing yields by the

@@ -29,6 +29,16 @@ named_enum! {
         Mujoco = "mujoco",
         /// Chrono, smooth contact of the model Hertz.
         Chrono = "chrono",
+        /// EDEM, values for the model Hertz-Mindlin.
+        Edem = "edem",
+        /// Rocky, values for the hysteretic linear spring.
+        Rocky = "rocky",
+        /// `MFiX`, keys of `mfix.dat` for the Hertz model.
+        Mfix = "mfix",
+        /// Lethe, subsections of a parameter file.
+        Lethe = "lethe",
+        /// Kratos, `MaterialsDEM.json`.
+        Kratos = "kratos",
         /// A table e(v) as CSV.
         Csv = "csv",
     }
@@ -43,15 +53,21 @@ impl TargetCode {
             Self::Liggghts | Self::Yade => {
                 Some("not tested automatically; verified once (ball on a wall, e within 1 %). Check one rebound first.")
             }
-            Self::Drake | Self::Mujoco | Self::Chrono => Some(
+            Self::Drake | Self::Mujoco | Self::Chrono | Self::Edem | Self::Mfix | Self::Lethe | Self::Kratos => Some(
                 "tested with the equation of that code, e within 1 %; not run in that code. Check one rebound first.",
             ),
+            Self::Rocky => Some("not tested: the equation of that code was not read in full. Check one rebound first."),
         }
     }
 
     /// True if the lines have a tangential spring.
     fn has_tangential_spring(self) -> bool {
         matches!(self, Self::Lammps | Self::Liggghts | Self::Yade | Self::Mercury)
+    }
+
+    /// True if the code takes e and the elastic constants of both bodies, and computes spring and damping itself.
+    fn takes_materials(self) -> bool {
+        matches!(self, Self::Edem | Self::Rocky | Self::Mfix | Self::Lethe | Self::Kratos)
     }
 
     /// True if the code reads a table e(v).
@@ -86,7 +102,7 @@ impl Exporter<'_> {
         let mut text = String::new();
         for line in self.header_lines(request) {
             let _ = match request.target {
-                TargetCode::Mercury | TargetCode::Chrono => writeln!(text, "// {line}"),
+                TargetCode::Mercury | TargetCode::Chrono | TargetCode::Kratos => writeln!(text, "// {line}"),
                 // a comment of XML holds no two hyphens
                 TargetCode::Mujoco => writeln!(text, "<!-- {} -->", line.replace("--", "- -")),
                 _ => writeln!(text, "# {line}"),
@@ -100,6 +116,11 @@ impl Exporter<'_> {
             TargetCode::Drake => self.drake()?,
             TargetCode::Mujoco => self.mujoco()?,
             TargetCode::Chrono => self.chrono()?,
+            TargetCode::Edem => self.edem()?,
+            TargetCode::Rocky => self.rocky()?,
+            TargetCode::Mfix => self.mfix()?,
+            TargetCode::Lethe => self.lethe()?,
+            TargetCode::Kratos => self.kratos()?,
             TargetCode::Csv => table_csv(table),
         };
         Ok(text)
@@ -147,15 +168,7 @@ impl Exporter<'_> {
             };
             about
                 .push(format!("e is constant here; the e of the law differs from it by less than {percent} % {range}"));
-            let (step, steps) = (self.time_step(), steps_per_contact(restitution));
-            about.push(format!("time step {step:.3e} s or less: {steps} steps per contact, error of e below 1 %"));
-            about.push(format!("sphere of {}", self.bodies()));
-            let model = match request.target {
-                TargetCode::Drake => "spring with the damping of Hunt and Crossley",
-                TargetCode::Chrono => "damped Hertz contact",
-                _ => "damped linear spring",
-            };
-            about.push(format!("{model} with e and contact time of the law; its peak force differs from the law"));
+            about.extend(self.model_lines(request.target));
         }
         if self.contact.friction.is_some() && request.target.has_tangential_spring() {
             about.push(
@@ -164,6 +177,27 @@ impl Exporter<'_> {
         }
         about.extend(request.target.untested_note().map(str::to_owned));
         about
+    }
+
+    /// Time step, bodies, and what the contact of the code has in common with the law.
+    fn model_lines(&self, target: TargetCode) -> Vec<String> {
+        let steps = steps_per_contact(self.e);
+        let bodies = format!("sphere of {}", self.bodies());
+        if target.takes_materials() {
+            let spring = "the code computes the spring from Young's moduli: e is the e of the law; contact time, force and dent are not. A smaller modulus allows a longer time step and leaves e";
+            return vec![bodies, spring.to_owned()];
+        }
+        let step = self.time_step();
+        let model = match target {
+            TargetCode::Drake => "spring with the damping of Hunt and Crossley",
+            TargetCode::Chrono => "damped Hertz contact",
+            _ => "damped linear spring",
+        };
+        vec![
+            format!("time step {step:.3e} s or less: {steps} steps per contact, error of e below 1 %"),
+            bodies,
+            format!("{model} with e and contact time of the law; its peak force differs from the law"),
+        ]
     }
 
     /// Dent, and heights of a fall in vacuum: numbers that a test measures.

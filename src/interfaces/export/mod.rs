@@ -1,5 +1,6 @@
 //! Writes input lines for other codes, so that they give the same rebound as the contact law here, of a sphere from a wall or of
 //! two spheres. The lines hold a constant e at one speed, a spring with this e and the contact time of the law, or a table e(v).
+//! `material_codes` is for codes that take e and the elastic constants, and choose the spring themselves.
 //!
 //! | model | parameters from e and contact time t of the impact at v |
 //! |---|---|
@@ -15,6 +16,7 @@ mod engines;
 mod exported_contact;
 mod exporter;
 pub mod header;
+mod material_codes;
 mod one_contact;
 mod springs;
 

@@ -10,6 +10,7 @@ use crate::contact::pair::imprint_name;
 use crate::contact::strength::kind::IMPACT_STRAINS;
 use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, SetPoint, SpecimenResult, StepResult};
+use crate::results::hardness_scales::{brinell_hardness, is_brinell_ball, meyer_hardness};
 use crate::results::{ResultSpec, result_specs, to_field_list, to_fields};
 use crate::scenario::Scenario;
 use crate::scenario::input::Body;
@@ -62,6 +63,26 @@ pub struct StepReport<'a> {
     tested: &'a SpecimenResult,
 }
 
+impl StepReport<'_> {
+    /// Diameter \[m\] of the dent, if the half-space alone can yield: `None` inside before the first dent.
+    #[allow(clippy::option_option)] // a result that is not there, and one that is null
+    fn dent_diameter(&self) -> Option<Option<f64>> {
+        let partition = self.tested.pair.yield_point?.yield_partition;
+        let peak = &self.step.peak;
+        let diameter = (peak.residual_indentation > 0.0).then_some(2.0 * peak.contact_radius);
+        (partition.is_half_space_alone() && !self.tested.is_spring).then_some(diameter)
+    }
+
+    /// Brinell number of the dent in a flat half-space.
+    #[allow(clippy::option_option)]
+    fn brinell_hardness(&self) -> Option<Option<f64>> {
+        let (dent, pair) = (self.dent_diameter()?, &self.tested.pair);
+        let ball = 2.0 * pair.radius;
+        let is_test = self.tested.specimen.half_space.radius.is_none() && is_brinell_ball(ball);
+        is_test.then(|| brinell_hardness(self.step.peak.force, ball, dent?))
+    }
+}
+
 pub fn step_results<'a>() -> Vec<ResultSpec<StepReport<'a>>> {
     result_specs! { |row: StepReport<'a>|
         /// Number of the step, from 1.
@@ -98,6 +119,15 @@ pub fn step_results<'a>() -> Vec<ResultSpec<StepReport<'a>>> {
         "peak_contact_radius_m" in Length as "contact radius": row.step.peak.contact_radius;
         /// Maximum force over its contact area: the hardness F/A of a nanoindentation.
         "peak_mean_pressure_Pa" in Pressure as "hardness F/A": row.step.peak.mean_pressure;
+        /// Diameter of the rim of the dent: twice the contact radius at the maximum force so far.
+        "dent_diameter_m" in Length as "dent diameter" if DENTS: row.dent_diameter();
+        /// Brinell number in kgf/mm²: maximum force so far over the area of the cap of the dent, 2 F/(π D (D − √(D² − d²))) with the
+        /// diameters D of the ball and d of the dent.
+        "brinell_hardness_HBW" as "Brinell hardness HBW" if BRINELL: row.brinell_hardness();
+        /// Meyer number in kgf/mm²: maximum force so far over the projected area of the dent, 4 F/(π d²).
+        "meyer_hardness_kgf_per_mm2" if DENTS: row.dent_diameter().map(|diameter| {
+            diameter.map(|_| meyer_hardness(row.step.peak.mean_pressure))
+        });
         /// Residual indentation: dent depth plus flat depth.
         "residual_indentation_m" in Length as "dent depth" if YIELDS: row.tested.can_yield.then_some(row.step.peak.residual_indentation);
         /// Unloading stiffness S at the maximum force. Do not compute the modulus from S/(2 a) of a dent: the result exceeds E* by

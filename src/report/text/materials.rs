@@ -11,7 +11,7 @@ use crate::units::{Dimension, format_four_digits, format_result};
 /// True if the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
 pub fn is_match(entry: &MaterialEntry, text: &str) -> bool {
     let text = text.to_lowercase();
-    [&entry.name, &entry.title].into_iter().any(|words| words.to_lowercase().contains(&text))
+    [&entry.name, &entry.title].into_iter().chain(&entry.aliases).any(|words| words.to_lowercase().contains(&text))
 }
 
 /// A head, and a row for every material whose name or description has this text.
@@ -48,7 +48,7 @@ pub fn materials_json(entries: &[&MaterialEntry]) -> Value {
     };
     let entry = |entry: &&MaterialEntry| {
         json!({
-            "name": entry.name, "title": entry.title, "class": entry.class.name(), "note": entry.note,
+            "name": entry.name, "aliases": entry.aliases, "title": entry.title, "class": entry.class.name(), "note": entry.note,
             "properties": entry.properties.iter().map(property).collect::<Map<_, _>>(),
         })
     };
@@ -58,6 +58,9 @@ pub fn materials_json(entries: &[&MaterialEntry]) -> Value {
 /// The page about one material: values, ranges, the kind of each number, and its sources.
 pub fn material_page(entry: &MaterialEntry) -> String {
     let mut text = format!("{}\n  {} ({})\n", entry.name, entry.title, entry.class.name());
+    if !entry.aliases.is_empty() {
+        let _ = writeln!(text, "  also called {}", entry.aliases.join(", "));
+    }
     if let Some(note) = &entry.note {
         let _ = writeln!(text, "  {note}");
     }
@@ -71,7 +74,7 @@ pub fn material_page(entry: &MaterialEntry) -> String {
             let _ = writeln!(text, "  {source}: {says}");
         }
     }
-    if !entry.is_metal() {
+    if !entry.has_strength() {
         let _ = writeln!(
             text,
             "\nno strength: a half-space of this material is elastic. Set yield_strength or hardness to model a dent."

@@ -13,6 +13,7 @@ pub(crate) mod plan;
 pub(crate) mod series;
 pub mod sweep;
 mod terminal;
+pub mod testers;
 pub mod units;
 
 pub use files::trace_csv;

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
+use crate::materials;
 use crate::scenario::keys::words::unknown_material;
 use crate::scenario::keys::{ALL_KEYS, KeySpec, Quantity, WordList};
 use crate::scenario::toml_node::{TomlKey, TomlValue, describe_value, join_path, whole_number};
@@ -165,7 +166,13 @@ pub fn read_text<'n>(node: &'n TomlValue, example: &str) -> Result<&'n str, Valu
 
 /// The index of a word in the list of known words.
 pub fn read_word(words: &WordList, node: &TomlValue) -> Result<usize, ValueError> {
-    find_word(words, node, |given| (words.values)().iter().position(|word| word == given))
+    find_word(words, node, |given| {
+        let name = match words.singular {
+            "material" => materials::find(given).map_or(given, |entry| entry.name.as_str()),
+            _ => given,
+        };
+        (words.values)().iter().position(|word| word == name)
+    })
 }
 
 /// Reads a word, and finds its meaning.

@@ -6,41 +6,47 @@ use crate::contact::law::catalogue::jackson_green::HardnessFit;
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::series::SpotMode;
 use crate::impact::{Method, PlateTheory};
-use crate::materials::{MaterialEntry, all_materials};
+use crate::materials::{MaterialEntry, absent_reason, all_materials, name_words};
 use crate::results::result_columns;
-use crate::strings::did_you_mean;
+use crate::strings::{did_you_mean, known_names};
 
 const fn word_list(one: &'static str, several: &'static str, known: fn() -> Vec<String>) -> WordList {
     WordList { singular: one, plural: several, values: known }
 }
 
-/// The end of a message about a material that is not in the list. Its other names, such as "AISI 304", are in the descriptions
-/// of the materials.
+/// Names in a message about an unknown word.
+const MOST_NAMES: usize = 5;
+
+/// The end of a message about a material that is not in the list. It names the materials whose descriptions have all words of the name,
+/// or the nearest names.
 pub fn unknown_material(name: &str) -> String {
-    let lower = name.to_lowercase().replace("aluminum", "aluminium");
-    let is_word = |part: &&str| !part.is_empty() && !NORMS.contains(part);
-    let parts: Vec<&str> = lower.split(|c: char| !c.is_alphanumeric() && c != '.').filter(is_word).collect();
+    if let Some(reason) = absent_reason(name) {
+        return format!(". It is left out, because {reason}.");
+    }
+    let parts = name_words(name);
     let has = |words: &str, part: &str| words.split(|c: char| !c.is_alphanumeric() && c != '.').any(|own| own == part);
     let is_meant = |entry: &&MaterialEntry| {
         let words = format!("{} {}", entry.name, entry.title).to_lowercase();
         !parts.is_empty() && parts.iter().all(|part| has(&words, part))
     };
     let meant: Vec<&str> = all_materials().iter().filter(is_meant).map(|entry| entry.name.as_str()).collect();
-    let names = all_materials().iter().map(|entry| entry.name.as_str());
-    let candidates: Vec<&str> = if meant.is_empty() { names.collect() } else { meant.clone() };
+    let names: Vec<&str> = all_materials().iter().map(|entry| entry.name.as_str()).collect();
     let rest = format!(
-        "`plm-impact materials` lists all {}; a scenario can give youngs_modulus, poissons_ratio and density instead",
-        all_materials().len()
+        "{}; `plm-impact materials` lists all. A scenario can give youngs_modulus, poissons_ratio and density instead",
+        known_names(name, &names, "materials")
     );
     match &meant[..] {
         [one] => format!(", did you mean \"{one}\"?"),
-        [] => did_you_mean(name, candidates, '"', &rest),
-        several => format!(", did you mean one of \"{}\"?", several.join("\", \"")),
+        [] => did_you_mean(name, names, '"', &rest),
+        several => {
+            let first = several[..several.len().min(MOST_NAMES)].join("\", \"");
+            let more = several.len().saturating_sub(MOST_NAMES);
+            let more =
+                if more > 0 { format!(" `plm-impact materials {name}` lists {more} more.") } else { String::new() };
+            format!(", did you mean one of \"{first}\"?{more}")
+        }
     }
 }
-
-/// Words before the number of a material that are not in its description.
-const NORMS: [&str; 8] = ["aisi", "sae", "en", "din", "jis", "astm", "alloy", "grade"];
 
 /// Names of integration methods.
 pub static METHODS: WordList = word_list("method", "methods", || to_texts(Method::ALL.map(Method::name)));

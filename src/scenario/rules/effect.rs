@@ -4,6 +4,7 @@
 use crate::contact::pair::ALONE_FROM;
 use crate::impact::Method;
 use crate::results::Requirement;
+use crate::results::hardness_scales::ImpactBody;
 use crate::scenario::Kind;
 use crate::scenario::input::read_input::is_at_or_below;
 use crate::scenario::input::{Body, Input};
@@ -206,6 +207,16 @@ const RULES: &[Rule] = &[
         "elastic waves are not computed for a plate; use plate_loss_fraction",
     ),
     columns(
+        &[Requirement::LeebTester],
+        |facts, _| facts.body_of_tester().is_none_or(|body| body.leeb_scale().is_none()),
+        "mass, tip and speed of the sphere are not those of a Leeb tester in all rows",
+    ),
+    columns(
+        &[Requirement::Scleroscope],
+        |facts, _| facts.body_of_tester().is_none_or(|body| !body.is_of_scleroscope()),
+        "mass, tip and drop height of the sphere are not those of a scleroscope in all rows",
+    ),
+    columns(
         &[Requirement::Thickness],
         |facts, _| !facts.is_on_plate(),
         "the target is not a plate, because half_space.thickness is not given",
@@ -261,6 +272,18 @@ impl Facts<'_> {
 
     fn is_on_plate(&self) -> bool {
         self.first().forces().plate.is_some()
+    }
+
+    /// The body that hits a fixed target along the normal in all rows; `None` if it varies.
+    fn body_of_tester(&self) -> Option<ImpactBody> {
+        let input = self.first();
+        let varies = self.varied.iter().any(|path| path.starts_with("sphere.") || path.starts_with("impact."));
+        if varies || input.is_oblique() || self.is_free() {
+            return None;
+        }
+        let (sphere, mass, speed) = (input.sphere(), input.mass()?, input.speed());
+        let youngs_modulus = sphere.material.youngs_modulus;
+        Some(ImpactBody { mass, radius: sphere.radius, youngs_modulus, energy: 0.5 * mass * speed * speed })
     }
 
     /// True if some rows have an interval of e that more than the law is a part of.

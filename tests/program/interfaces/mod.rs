@@ -12,6 +12,7 @@ pub mod hostile_input;
 pub mod json_and_shell;
 pub mod laws;
 pub mod licences;
+mod material_codes;
 pub mod mutated_files;
 mod peen;
 pub mod several_files;

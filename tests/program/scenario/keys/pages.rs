@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use plm_impact::report::text::{calibrate, check, indentation, materials, sweep, units};
+use plm_impact::report::text::{calibrate, check, indentation, materials, sweep, testers, units};
 use plm_impact::results::series;
 use plm_impact::results::{NumberFormat, ResultSpec, impact, trace};
 use plm_impact::scenario::key_docs::form_as_markdown;
@@ -15,7 +15,13 @@ use crate::common::prelude::*;
 /// A part of a page: its name, and its text.
 type Part = (&'static str, fn() -> String);
 
-const PARTS: [Part; 4] = [("keys", keys), ("results", of_results), ("materials", of_materials), ("units", units_table)];
+const PARTS: [Part; 5] = [
+    ("keys", keys),
+    ("results", of_results),
+    ("materials", of_materials),
+    ("units", units_table),
+    ("testers", testers_table),
+];
 
 /// A page in which every table between two marks is written anew, and the number of these tables. The marks are comments such as
 /// `<!-- keys: form_as_markdown by a test -->`.
@@ -34,6 +40,10 @@ pub fn renewed(page: &str) -> (String, usize) {
 
 fn units_table() -> String {
     markdown_table(&units::unit_rows()) + "\n"
+}
+
+fn testers_table() -> String {
+    markdown_table(&testers::tester_rows()) + "\n"
 }
 
 fn of_materials() -> String {
