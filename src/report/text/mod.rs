@@ -13,6 +13,7 @@ pub(crate) mod plan;
 pub(crate) mod series;
 pub mod sweep;
 mod terminal;
+pub(crate) mod traces;
 pub mod units;
 
 pub use files::trace_csv;
