@@ -3,6 +3,8 @@
 //!
 //! The sum has a kink wherever an impact passes a knot of the law, and a plateau where impacts stay elastic. So no derivatives
 //! are used.
+//!
+//! [`super::inverse`] searches the keys of a wanted result with the same functions.
 
 use rayon::prelude::*;
 
@@ -30,6 +32,25 @@ pub struct ParameterPoint {
     pub sum: f64,
 }
 
+/// A function of shares that is minimised: a sum with one term for each value.
+pub trait Objective: Sync {
+    /// The sum; infinite if the law gives no result.
+    fn objective(&self, shares: &[f64]) -> f64;
+
+    /// The number of terms.
+    fn n_values(&self) -> usize;
+}
+
+impl Objective for CalibrationProblem<'_> {
+    fn objective(&self, shares: &[f64]) -> f64 {
+        CalibrationProblem::objective(self, shares)
+    }
+
+    fn n_values(&self) -> usize {
+        self.used_values.len()
+    }
+}
+
 /// A part of the range of a key, as shares, and the cells in it. A key that is held has a range without width.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShareRange {
@@ -40,6 +61,11 @@ pub struct ShareRange {
 
 impl ShareRange {
     pub const WHOLE: Self = Self { low: 0.0, high: 1.0, cells: CELLS };
+
+    /// The whole range with another number of cells.
+    pub fn with_cells(cells: u32) -> Self {
+        Self { cells, ..Self::WHOLE }
+    }
 
     pub fn with_share(share: f64) -> Self {
         Self { low: share, high: share, cells: 0 }
@@ -87,23 +113,16 @@ impl<'p, 'a> BasinSearch<'p, 'a> {
     }
 }
 
-fn profile_minimum(
-    whole: &CalibrationProblem,
-    subsampled: &CalibrationProblem,
-    ranges: &[ShareRange],
-) -> ParameterPoint {
+fn profile_minimum<O: Objective>(whole: &O, subsampled: &O, ranges: &[ShareRange]) -> ParameterPoint {
     let ranges: Vec<ShareRange> =
         ranges.iter().map(|range| ShareRange { cells: range.cells.min(CELLS_INSIDE), ..*range }).collect();
     let nowhere = || ParameterPoint { shares: ranges.iter().map(|range| range.low).collect(), sum: f64::INFINITY };
     find_minima(whole, subsampled, &ranges, INNER_TOLERANCE).into_iter().next().unwrap_or_else(nowhere)
 }
 
-fn find_minima(
-    whole: &CalibrationProblem,
-    subsampled: &CalibrationProblem,
-    ranges: &[ShareRange],
-    exact: f64,
-) -> Vec<ParameterPoint> {
+/// The minima of all basins in these ranges, the lowest first, to this tolerance of the shares. The problem `subsampled` is enough
+/// to find the cells with basins.
+pub fn find_minima<O: Objective>(whole: &O, subsampled: &O, ranges: &[ShareRange], exact: f64) -> Vec<ParameterPoint> {
     let Some(key) = ranges.iter().position(|range| range.cells > 0) else {
         let shares: Vec<f64> = ranges.iter().map(|range| range.low).collect();
         let place = ParameterPoint { sum: whole.objective(&shares), shares };
@@ -137,8 +156,7 @@ fn find_minima(
     found.sort_by(|a, b| a.1.sum.total_cmp(&b.1.sum));
     let mut apart: Vec<(usize, ParameterPoint)> = Vec::new();
     for (at, place) in found {
-        let least =
-            place.sum + BARRIER_PER_VALUE * place.sum / whole.used_values.len() as f64 + f64::MIN_POSITIVE.sqrt();
+        let least = place.sum + BARRIER_PER_VALUE * place.sum / whole.n_values() as f64 + f64::MIN_POSITIVE.sqrt();
         let is_apart = |(other, _): &(usize, ParameterPoint)| {
             sums[(*other).min(at)..=(*other).max(at)].iter().copied().fold(0.0, f64::max) > least
         };

@@ -19,6 +19,7 @@
 pub mod data;
 pub mod fit;
 pub mod identifiability;
+pub mod inverse;
 pub mod minimise;
 pub mod problem;
 pub mod profile;

@@ -211,6 +211,11 @@ impl OutputDirectory {
         &self.path
     }
 
+    /// True if this run made this folder.
+    pub fn has_made(&self, folder: &Path) -> bool {
+        self.created.iter().any(|made| made == folder)
+    }
+
     /// True if files of others may be replaced.
     pub fn is_forced(&self) -> bool {
         self.is_forced

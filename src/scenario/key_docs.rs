@@ -42,6 +42,7 @@ pub fn form_as_markdown(form: &ValueForm) -> String {
         ValueForm::Number(quantity) => number(quantity),
         ValueForm::NumberOr(quantity, word) => format!("{}, or `\"{word}\"`", number(quantity)),
         ValueForm::Count(quantity) => format!("a whole number {}", quantity.allowed_range()),
+        ValueForm::Flag => "`true` or `false`".to_owned(),
         ValueForm::Numbers(quantity) => format!("a list of numbers, each {}", number(quantity)),
         ValueForm::Points => {
             let [strain, stress] = POINT.map(number);

@@ -95,6 +95,7 @@ fn form_schema(form: &ValueForm, quantities: &mut Vec<&'static Quantity>) -> Val
         ValueForm::Number(quantity) => number(quantity),
         ValueForm::NumberOr(quantity, word) => json!({ "anyOf": [number(quantity), { "const": word }] }),
         ValueForm::Count(quantity) => bounded_schema("integer", quantity),
+        ValueForm::Flag => json!({ "type": "boolean" }),
         ValueForm::Numbers(quantity) => list_schema(&number(quantity), 0),
         ValueForm::Points => {
             let pair = POINT.map(number);

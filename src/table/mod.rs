@@ -16,6 +16,7 @@ pub mod shard;
 pub mod statistics;
 pub(crate) mod table_files;
 pub mod tally;
+pub mod traces;
 
 pub use chunks::compute_rows;
 pub use evaluator::{Evaluator, RowFailure, Rows};

@@ -215,3 +215,23 @@ def test_materials_are_those_of_the_command(command: Path) -> None:
     steel = next(entry for entry in materials if entry["name"] == "steel-s235")
     assert 7700 < steel["properties"]["density_kg_per_m3"]["value"] < 8000
     assert len(steel["properties"]["density_kg_per_m3"]["sources"]) >= 2
+
+
+def test_find_gives_the_solutions_of_the_command(command: Path, tmp_path: Path) -> None:
+    path = ROOT / "scenarios" / "steel-on-steel.toml"
+    question = ["find", "impact.drop_height", path, "--dent-diameter", "1 mm"]
+    ends = ["--from", "1 cm", "--to", "5 m", "--json"]
+    printed = subprocess.run([command, *question, *ends], check=True, capture_output=True, cwd=tmp_path).stdout
+    found = plm.find("impact.drop_height", path, dent_diameter="1 mm", between=("1 cm", 5.0))
+    assert found == json.loads(printed)["solutions"] and len(found) == 1
+    # a dict, a number in SI, the name with its unit, and another key
+    tables = tables_of_steel(impact=dict(speed=1.0))
+    [faster] = plm.find("impact.speed", tables, dent_diameter_m=1e-3, set={"sphere.radius": "5 mm"})
+    speed = (2 * 9.80665 * found[0]["impact_drop_height_m"]) ** 0.5
+    assert faster["impact_speed_m_per_s"] == pytest.approx(speed, rel=1e-7)
+    with pytest.raises(ValueError, match=r"gives restitution = 0.99.* In this range restitution is .*between"):
+        plm.find("impact.speed", path, restitution=0.99, between=(1, 2))
+    with pytest.raises(ValueError, match=r"`dent` is not a result of an impact"):
+        plm.find("impact.speed", path, dent=1)
+    with pytest.raises(TypeError, match=r"one result"):
+        plm.find("impact.speed", path)

@@ -13,6 +13,7 @@ mod replaced;
 mod reproducibility;
 mod row_equals_impact;
 mod thread_limits;
+mod traces;
 
 mod sweep;
 

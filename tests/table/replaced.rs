@@ -173,6 +173,12 @@ fn other_settings_have_own_default_folder() {
     }
     // a setting may be written in two ways
     assert!(run(&["--set", "impact.speed=\"2m/s\""]).contains("to plots/s,impact.speed=2m_s\n"));
+    // a new folder that nobody asked for is announced once
+    let elsewhere = Sandbox::with(STEEL);
+    let first = elsewhere.run_expecting(&["run", "s.toml", "--pictures", "none"], 0).1;
+    assert!(first.contains("plots is a new folder; --out names another folder"), "{first}");
+    let second = elsewhere.run_expecting(&["run", "s.toml", "--pictures", "none"], 0).1;
+    assert!(!second.contains("new folder"), "{second}");
     // one measurement is a setting too
     desk.run_expecting(&["calibrate", "s.toml", "--restitution", "0.49", "--pictures", "none"], 0);
     assert_eq!(desk.read("plots/s/summary.json"), summaries[0]);

@@ -226,8 +226,8 @@ impl ImpactRow {
             adhesion: contact.adhesion_work.filter(|_| kinetic_in > 0.0 && forces.damping.per_slope() == 0.0).map(
                 |work| {
                     let dent = ground.deepest_state(&peak);
-                    let rebound = wave_loss_fraction
-                        .map_or(restitution, |loss| waves::restitution_with_waves(restitution, loss));
+                    let rebound =
+                        wave_loss_fraction.map_or(restitution, |loss| waves::restitution_with_waves(restitution, loss));
                     contact.adhesion_result(work, [speed, rebound], (residual > 0.0).then_some(&dent))
                 },
             ),

@@ -6,6 +6,7 @@ mod check_trace;
 mod completions;
 mod drop;
 mod export;
+mod find;
 mod init;
 mod keys;
 mod materials;
@@ -63,6 +64,7 @@ enum Command {
     Run(run::RunArguments),
     Check(run::CheckArguments),
     Calibrate(calibrate::CalibrateArguments),
+    Find(find::FindArguments),
     Export(export::ExportArguments),
     CheckTrace(check_trace::CheckTraceArguments),
     /// List the contact laws with sources, formulas, validity and confidence
@@ -102,6 +104,7 @@ pub fn run() -> Result<(), Error> {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => run::check(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
+        Command::Find(arguments) => find::find(&arguments),
         Command::Export(arguments) => export::export(&arguments),
         Command::CheckTrace(arguments) => check_trace::check_trace(&arguments),
         Command::Laws { json: true } => terminal::print_json(&format!("{:#}\n", laws_json())),

@@ -16,11 +16,19 @@ use sha2::{Digest as _, Sha256};
 
 use super::watch::Signals;
 
+/// The folder of the results of all scenarios, in the current directory.
+pub const DEFAULT_FOLDER: &str = "plots";
+
 /// The options that say which files are written, and where.
 #[derive(Debug, Args)]
 #[allow(clippy::struct_excessive_bools)] // each is an option
 pub struct OutputArguments {
     /// Output directory [default: plots/<scenario name>, with the settings of the command line at its end]
+    ///
+    /// The default is in the current directory: plots/impact for impact.toml, and plots/impact,impact.speed=1m_s with --set
+    /// impact.speed="1 m/s". So runs and calibrations with other settings do not replace each other. The same command, also
+    /// after a change of the file, replaces its own results. Results of another file or of other settings, and files that this
+    /// program did not write, are replaced only with --force.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Replace files that this program did not write, and results of another scenario or of other settings
@@ -88,7 +96,7 @@ impl OutputArguments {
 
     /// The output directory.
     pub fn directory(&self, file: &Path, overrides: &[String]) -> PathBuf {
-        self.out.clone().unwrap_or_else(|| Path::new("plots").join(default_name(file, overrides)))
+        self.out.clone().unwrap_or_else(|| Path::new(DEFAULT_FOLDER).join(default_name(file, overrides)))
     }
 
     /// Prepares the output directory of a scenario. Signals are listened to from here on.
@@ -159,7 +167,7 @@ pub fn command_line() -> String {
 }
 
 /// Quoted for a shell where it has to be.
-fn shell_quote(argument: &str) -> String {
+pub fn shell_quote(argument: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+@%".contains(c);
     if !argument.is_empty() && argument.chars().all(is_plain) {
         argument.to_owned()

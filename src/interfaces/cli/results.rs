@@ -1,10 +1,12 @@
 //! The results of a command, their files, and the words about them.
 
+use std::path::Path;
+
 use plm_impact::error::Error;
 use plm_impact::files::{OutputDirectory, OutputFile};
 use plm_impact::table::FinishedTable;
 
-use super::output::{OutputArguments, note_replaced};
+use super::output::{DEFAULT_FOLDER, OutputArguments, note_replaced};
 
 /// The results of a scenario.
 pub struct Results<'a> {
@@ -47,7 +49,14 @@ impl Results<'_> {
                 }
             }
         };
-        self.output.report(&self.text, &self.files, place)?;
+        // nobody asked for the default folder
+        let is_new = self.directory.has_made(Path::new(DEFAULT_FOLDER));
+        let made = if is_new {
+            format!("\n{DEFAULT_FOLDER} is a new folder; --out names another folder")
+        } else {
+            String::new()
+        };
+        self.output.report(&self.text, &self.files, place + &made)?;
         self.flaw.map_or(Ok(()), Err)
     }
 }

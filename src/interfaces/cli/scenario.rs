@@ -42,6 +42,16 @@ impl ScenarioArguments {
         if self.is_standard_input() { Path::new("stdin") } else { &self.scenario }
     }
 
+    /// The file; `None` for standard input.
+    pub fn file(&self) -> Option<&Path> {
+        Some(self.name()).filter(|_| !self.is_standard_input())
+    }
+
+    /// The settings of --set.
+    pub fn settings(&self) -> &[String] {
+        &self.overrides
+    }
+
     fn is_standard_input(&self) -> bool {
         self.scenario == Path::new(STANDARD_INPUT)
     }

@@ -7,6 +7,7 @@
 mod cases;
 mod contact;
 mod convert;
+mod find;
 mod force;
 mod impact;
 mod outcome;
@@ -23,6 +24,7 @@ mod _core {
     #[pymodule_export]
     use super::{
         cases::{PyContact, numeric_keys, rows, validated},
+        find::find,
         impact::PyImpact,
         outcome::{calibrate, run},
         table::{Column, arrow_stream, table_of_csv},

@@ -66,7 +66,7 @@ pub fn calibrate<'py>(
 }
 
 /// A scenario that is given as a path or a dict.
-fn scenario_of(path_or_tables: &Bound<'_, PyAny>, overrides: Vec<String>) -> PyResult<Scenario> {
+pub(super) fn scenario_of(path_or_tables: &Bound<'_, PyAny>, overrides: Vec<String>) -> PyResult<Scenario> {
     let scenario = match path_or_tables.cast::<PyMapping>() {
         Ok(tables) => {
             let source = source_of(tables)?;

@@ -14,6 +14,7 @@ mod posterior;
 mod process_window;
 pub mod series;
 pub mod sweep;
+pub(crate) mod traces;
 
 pub use caption::{caption, path_title, with_captions};
 pub(crate) use caption::{key_axis, law_title, path_words};

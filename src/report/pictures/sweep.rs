@@ -108,7 +108,7 @@ fn compute_row(evaluator: &Evaluator, axes: &[SweepAxis], places: &[u64]) -> Opt
 }
 
 /// The name of an axis in words, such as "half-space yield strength".
-fn axis_words(axis: &SweepAxis) -> String {
+pub(super) fn axis_words(axis: &SweepAxis) -> String {
     path_words(axis.path())
 }
 
@@ -136,7 +136,7 @@ fn labels(axis: &SweepAxis, places: &[u64]) -> Vec<String> {
 }
 
 /// The value at a place of an axis, with at most four digits.
-fn value_label(axis: &SweepAxis, place: u64) -> String {
+pub(super) fn value_label(axis: &SweepAxis, place: u64) -> String {
     labels(axis, &[place]).concat()
 }
 

@@ -1,6 +1,7 @@
 //! From a scenario to its files and its text on the terminal: one way for every kind of scene.
 
 mod calibrate;
+pub mod find;
 pub mod impact;
 pub mod indentation;
 mod outcome;

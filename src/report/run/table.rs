@@ -1,23 +1,27 @@
 //! Summary, pictures and warnings of a table.
 
-use super::outcome::{Outcome, RunOptions, put_notes, warning_texts, with_summary};
+use super::outcome::{Outcome, RunOptions, output_file, put_notes, warning_texts, with_summary};
 use crate::error::Error;
 use crate::files::{OutputFile, Provenance};
 use crate::impact::Contact;
 use crate::report::chart::PictureFormat;
 use crate::report::pictures::sweep::pictures;
+use crate::report::pictures::traces::charts;
+use crate::report::pictures::{caption, with_captions};
 use crate::report::text::check::plan_fields;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::notes_text;
 use crate::report::text::overview::overview;
 use crate::report::text::plan::plan_lines;
 use crate::report::text::sweep::{summary_fields, summary_lines};
+use crate::report::text::traces::traces_csv;
 use crate::scenario::keys::strength_notes;
 use crate::scenario::plan::Plan;
 use crate::scenario::{Scenario, no_result_error};
 use crate::table::Tally;
 pub use crate::table::compute_rows;
 use crate::table::corner_warnings::{CornerWarnings, corner_warnings};
+use crate::table::traces::row_traces;
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
@@ -84,8 +88,20 @@ pub fn files(
     provenance: Provenance,
     format: PictureFormat,
 ) -> Result<Vec<OutputFile>, Error> {
-    let pictures = format.to_files(|| Ok(pictures(plan, tally)))?;
+    let traces = if plan.has_traces { row_traces(plan) } else { Vec::new() };
+    let pictures = format.to_files(|| {
+        let mut drawn = pictures(plan, tally);
+        if !traces.is_empty() {
+            drawn.extend(with_captions(charts(plan, &traces), &caption(&plan.input, &plan.varied_paths())));
+        }
+        Ok(drawn)
+    })?;
+    let mut files = Vec::new();
+    if plan.has_traces {
+        files.push(output_file("traces.csv", traces_csv(plan, &traces)?));
+    }
+    files.extend(pictures);
     let mut results = summary_fields(plan, tally, &warnings_and_notes.warnings);
     put_notes(&mut results, &warnings_and_notes.notes);
-    with_summary(pictures, provenance, results, &Inputs::from_plan(plan))
+    with_summary(files, provenance, results, &Inputs::from_plan(plan))
 }

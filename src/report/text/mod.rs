@@ -14,6 +14,7 @@ pub(crate) mod series;
 pub mod sweep;
 mod terminal;
 pub mod testers;
+pub(crate) mod traces;
 pub mod units;
 
 pub use files::trace_csv;

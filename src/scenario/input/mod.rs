@@ -98,6 +98,11 @@ impl Input {
         self.number_at(at.index()).map(|number| number as u64)
     }
 
+    /// True if the scenario gives `true`.
+    pub fn flag(&self, at: KeyId<COUNT>) -> bool {
+        self.number_at(at.index()) == Some(1.0)
+    }
+
     /// The index of a word in the list of the words of the key.
     #[inline]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a place in a list
@@ -208,6 +213,7 @@ impl Input {
             let value = match (key.form, self.number_at(place), self.others.values.get(&place)) {
                 (ValueForm::NumberOr(_, word), Some(f64::INFINITY), _) => word.into(),
                 (ValueForm::Count(_), Some(count), _) => (count as u64).into(),
+                (ValueForm::Flag, Some(flag), _) => (flag == 1.0).into(),
                 (ValueForm::Word(words), Some(place), _) => (words.values)().get(place as usize).cloned().into(),
                 (_, Some(number), _) => number.into(),
                 (.., Some(value)) if value.report_text().is_some() => value.report_text().into(),

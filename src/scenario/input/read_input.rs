@@ -5,7 +5,7 @@ use std::sync::Arc;
 use toml::de::{DeTable, DeValue};
 
 use super::reader::{
-    Reader, ValueError, as_table, read_count, read_list, read_number, read_pair, read_text, read_word,
+    Reader, ValueError, as_table, read_count, read_flag, read_list, read_number, read_pair, read_text, read_word,
 };
 use super::{Input, Value};
 use crate::contact::law::{LawChoice, PlmCoefficients};
@@ -45,6 +45,7 @@ impl Input {
             ValueForm::Number(quantity) => read_number(quantity, None, node)?,
             ValueForm::NumberOr(quantity, word) => read_number(quantity, Some(word), node)?,
             ValueForm::Count(quantity) => read_count(quantity, node)? as f64,
+            ValueForm::Flag => f64::from(u8::from(read_flag(node)?)),
             ValueForm::Word(words) => read_word(words, node)? as f64,
             form => {
                 if let Some(value) = read_other(form, ALL_KEYS[place].path, node, reader)? {

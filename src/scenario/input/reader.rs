@@ -164,6 +164,14 @@ pub fn read_text<'n>(node: &'n TomlValue, example: &str) -> Result<&'n str, Valu
     }
 }
 
+/// True or false, without quotes.
+pub fn read_flag(node: &TomlValue) -> Result<bool, ValueError> {
+    match node.get_ref() {
+        DeValue::Boolean(flag) => Ok(*flag),
+        _ => Err(ValueError::wrong_type(node, "true or false, without quotes")),
+    }
+}
+
 /// The index of a word in the list of known words.
 pub fn read_word(words: &WordList, node: &TomlValue) -> Result<usize, ValueError> {
     find_word(words, node, |given| {

@@ -6,7 +6,7 @@ use super::{ALL_KEYS, Part, Quantity, ValueForm};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KeyId<const KIND: u8>(usize);
 
-/// The kinds of values: number, whole number, word, and other values.
+/// The kinds of values: number, whole number or flag, word, and other values.
 pub const NUMBER: u8 = 0;
 pub const COUNT: u8 = 1;
 pub const WORD: u8 = 2;
@@ -15,7 +15,7 @@ pub const OTHER: u8 = 3;
 const fn kind_of(place: usize) -> u8 {
     match ALL_KEYS[place].form {
         ValueForm::Number(_) | ValueForm::NumberOr(..) => NUMBER,
-        ValueForm::Count(_) => COUNT,
+        ValueForm::Count(_) | ValueForm::Flag => COUNT,
         ValueForm::Word(_) => WORD,
         _ => OTHER,
     }

@@ -63,6 +63,8 @@ pub enum ValueForm {
     NumberOr(&'static Quantity, &'static str),
     /// A whole number.
     Count(&'static Quantity),
+    /// true or false, as the number 1 or 0.
+    Flag,
     Numbers(&'static Quantity),
     /// A list of points of a flow curve.
     Points,

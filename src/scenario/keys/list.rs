@@ -2,7 +2,7 @@
 //! `check`, the page of keys and the schema use this list.
 
 use super::key_spec::ValueForm::{
-    Axes, Count, File, Free, Number, NumberOr, Numbers, Points, Text, Variables, Word, WordOrTable, Words,
+    Axes, Count, File, Flag, Free, Number, NumberOr, Numbers, Points, Text, Variables, Word, WordOrTable, Words,
 };
 use super::quantity::{
     ACCELERATION, ANGLE, AREA, AREA_FACTOR, COVERAGE, CURVATURE, DENSITY, DEVIATION, DRAG, DROP_HEIGHT, EXPONENT,
@@ -220,7 +220,7 @@ const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
 };
 
-const OTHER_KEYS: [KeySpec; 51] = key_specs! {
+const OTHER_KEYS: [KeySpec; 52] = key_specs! {
     "";
     /// Impact speed: speed of the sphere at first contact, towards the half-space. With an angle, the magnitude of the velocity.
     "impact.speed" of Approach: Number(&SPEED);
@@ -308,6 +308,8 @@ const OTHER_KEYS: [KeySpec; 51] = key_specs! {
     "output.columns" of Output: Words(&COLUMNS) => "all";
     /// Results to draw: over the axes of a table, or as histograms of random cases.
     "output.picture" of Output: Words(&COLUMNS) => "restitution";
+    /// Also write the trace of every row of a [sweep] to `traces.csv`, and draw all forces in one picture; for at most 12 rows.
+    "output.traces" of Output: Flag => "false";
     /// Sweep axes: keys with lists or ranges of values. All combinations are computed; the first axis varies slowest.
     "sweep" of Kind: Axes;
     /// Random cases: samples, seed, and keys with distributions.

@@ -110,15 +110,8 @@ impl Scenario {
             return free.iter().map(on_scale).collect();
         }
         let body = self.default_body(input);
-        let material = input.material(body);
-        let own = Some(material.youngs_modulus).filter(|modulus| modulus.is_finite());
-        let modulus = own.unwrap_or(input.half_space().material.youngs_modulus);
-        let strengths = STRENGTH_RANGE.map(|share| share * modulus);
-        let (path, [from, to]) = if self.is_given(body.hardness()) {
-            (body.hardness(), strengths.map(|strength| hardness_of_flow_stress(strength, &material)))
-        } else {
-            (body.yield_strength(), strengths)
-        };
+        let path = if self.is_given(body.hardness()) { body.hardness() } else { body.yield_strength() };
+        let [from, to] = strength_range(input, body, path);
         let free = |key: NumericKey| {
             let (from, hardness) = (from.max(key.quantity().range().0), self.hardness_scale(key));
             FreeKey { key, from, to, is_logarithmic: true, hardness }
@@ -137,7 +130,7 @@ impl Scenario {
     }
 
     /// The hardness scale on which the scenario or a material gives a key, or on which the scenario gives an end of its range.
-    fn hardness_scale(&self, key: NumericKey) -> Option<HardnessScale> {
+    pub(super) fn hardness_scale(&self, key: NumericKey) -> Option<HardnessScale> {
         let end = format!("calibrate.free.{}.from", key.path());
         let given = [key.path(), &end].into_iter().find_map(|path| self.document.written_value(path));
         let of_material =
@@ -195,6 +188,19 @@ impl Scenario {
         } else {
             Ok(())
         }
+    }
+}
+
+/// The range in which the strength or the hardness of a body is searched, if nothing else is given.
+pub(super) fn strength_range(input: &Input, body: Body, path: &str) -> [f64; 2] {
+    let material = input.material(body);
+    let own = Some(material.youngs_modulus).filter(|modulus| modulus.is_finite());
+    let modulus = own.unwrap_or(input.half_space().material.youngs_modulus);
+    let strengths = STRENGTH_RANGE.map(|share| share * modulus);
+    if path == body.hardness() {
+        strengths.map(|strength| hardness_of_flow_stress(strength, &material))
+    } else {
+        strengths
     }
 }
 

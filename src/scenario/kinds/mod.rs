@@ -2,5 +2,6 @@
 
 pub mod calibration;
 pub mod indentation;
+pub mod inverse;
 pub(in crate::scenario) mod series;
 pub(in crate::scenario) mod sweep;

@@ -5,7 +5,7 @@ use crate::impact::{ImpactError, Method};
 use crate::results::{PEENING_MEANS, RESTITUTION, ResultColumn, result_columns};
 use crate::scenario::keys::{KeyId, OTHER, key};
 use crate::scenario::plan::read_axes::{METHOD_KEY, RandomKeys};
-use crate::scenario::plan::{Cases, MAX_CASES, Plan};
+use crate::scenario::plan::{Cases, MAX_CASES, MAX_TRACES, Plan};
 use crate::scenario::{Kind, Scenario};
 
 impl Scenario {
@@ -31,6 +31,7 @@ impl Scenario {
         let mut plan = Plan::new(&input, cases);
         plan.warnings = self.unused_key_warnings(&plan.inputs_of_word_axes(), Kind::Impact);
         self.select_columns(&mut plan)?;
+        plan.has_traces = self.asks_for_traces(&plan)?;
         plan.pictures = self.selected_results("output.picture", key!("output.picture"), &plan)?;
         if let (Some(columns), Some(pictures)) = (&mut plan.columns, &plan.pictures)
             && matches!(plan.cases, Cases::MonteCarlo { .. })
@@ -70,6 +71,27 @@ impl Scenario {
         Ok(plan)
     }
 
+    /// True if the scenario asks for the traces of its rows.
+    ///
+    /// # Errors
+    /// [`Error`] for too many rows, and for random cases.
+    fn asks_for_traces(&self, plan: &Plan) -> Result<bool, Error> {
+        if !self.input.flag(key!("output.traces")) {
+            return Ok(false);
+        }
+        let rows = plan.n_cases();
+        let message = if plan.is_monte_carlo() {
+            "applies to [sweep] only, because random cases are too many for one picture. Remove this key, or replace [monte_carlo] by [sweep].".to_owned()
+        } else if rows > MAX_TRACES {
+            format!(
+                "this table has {rows} rows, and at most {MAX_TRACES} traces can be told apart in one picture. Use fewer values on the axes, or remove this key."
+            )
+        } else {
+            return Ok(true);
+        };
+        Err(self.document.refusal("output.traces", message))
+    }
+
     /// Leaves in the table of a plan only the results that the scenario names, if it names any.
     pub(in crate::scenario) fn select_columns(&self, plan: &mut Plan) -> Result<(), Error> {
         let chosen = self.selected_results("output.columns", key!("output.columns"), plan)?;
@@ -99,13 +121,14 @@ impl Scenario {
     /// Refuses columns for a scenario that is computed as no table.
     pub(crate) fn refuse_columns(&self) -> Result<(), Error> {
         let given = [("output.columns", key!("output.columns")), ("output.picture", key!("output.picture"))];
-        let Some((key, _)) = given.into_iter().find(|(_, at)| self.input.word_list(*at).is_some()) else {
-            return Ok(());
-        };
+        let named = given.into_iter().find(|(_, at)| self.input.word_list(*at).is_some()).map(|(key, _)| key);
+        let traces = Some("output.traces").filter(|_| self.input.flag(key!("output.traces")));
+        let Some(key) = named.or(traces) else { return Ok(()) };
         // of a table only the first case may be asked for, which is one impact
         let kind = Some(self.kind()?).filter(|kind| !kind.is_table()).unwrap_or(Kind::Impact);
         let message = format!(
-            "applies to [sweep] and [monte_carlo] only, and this scenario is {}. Remove this key, or add a [sweep].",
+            "applies to {} only, and this scenario is {}. Remove this key, or add a [sweep].",
+            if named.is_some() { "[sweep] and [monte_carlo]" } else { "[sweep]" },
             kind.description()
         );
         Err(self.document.refusal(key, message))

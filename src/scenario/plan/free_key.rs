@@ -39,8 +39,12 @@ impl FreeKey {
         if self.is_logarithmic { self.value_at_share(share) * ln(self.to / self.from) } else { self.to - self.from }
     }
 
-    /// A value of the key with `digits` digits in a fitting unit; a hardness on its scale, with the pressure beside it.
+    /// A value of the key with `digits` digits in a fitting unit; a hardness on its scale, with the pressure beside it; an angle in
+    /// degrees.
     pub fn format_value(&self, value: f64, digits: usize) -> String {
+        if self.key.quantity().dimension == Dimension::Angle {
+            return degrees_text(value, digits);
+        }
         let pressure = format_input(round_to_digits(value, digits), self.key.quantity().dimension);
         match self.hardness_number(value) {
             Some((value, scale)) => {
@@ -68,11 +72,28 @@ impl FreeKey {
         (dimension != Dimension::Ratio).then(|| on_scale().unwrap_or_else(|| format_exact(value, dimension)))
     }
 
+    /// A value as in a scenario, with its unit and `digits` digits.
+    pub fn to_rounded_text(&self, value: f64, digits: usize) -> String {
+        if let Some((number, scale)) = self.hardness_number(value) {
+            return format!("{} {}", format_number(round_to_digits(number, digits)), scale.name());
+        }
+        if self.key.quantity().dimension == Dimension::Angle {
+            return degrees_text(value, digits);
+        }
+        let value = round_to_digits(value, digits);
+        self.to_scenario_text(value).unwrap_or_else(|| format_number(value))
+    }
+
     /// A hardness on the scale of the scenario, if the scale covers it.
     fn hardness_number(&self, value: f64) -> Option<(f64, HardnessScale)> {
         let scale = self.hardness?;
         Some((scale.number_at_mean_pressure(value)?, scale))
     }
+}
+
+/// An angle as people write it.
+fn degrees_text(angle: f64, digits: usize) -> String {
+    format!("{} deg", format_number(round_to_digits(angle.to_degrees(), digits)))
 }
 
 /// A value with `digits` significant digits.

@@ -40,7 +40,12 @@ pub struct Plan {
     pub columns: Option<Vec<&'static str>>,
     /// Names of the results in pictures; `None`: the results that suit the first axis.
     pub pictures: Option<Vec<&'static str>>,
+    /// True if the trace of every row is written too.
+    pub has_traces: bool,
 }
+
+/// Maximum number of rows of a table with traces: this number of curves can be told apart in a picture.
+pub const MAX_TRACES: u64 = 12;
 
 /// Maximum number of cases. Every tool can represent a case number of this size.
 pub const MAX_CASES: u64 = 1 << 63;
@@ -48,7 +53,14 @@ pub const MAX_CASES: u64 = 1 << 63;
 impl Plan {
     /// The cases of an input in which every varied key has its first value or its median.
     pub fn new(input: &Input, cases: Cases) -> Self {
-        let mut plan = Self { input: input.clone(), warnings: Vec::new(), cases, columns: None, pictures: None };
+        let mut plan = Self {
+            input: input.clone(),
+            warnings: Vec::new(),
+            cases,
+            columns: None,
+            pictures: None,
+            has_traces: false,
+        };
         plan.input = plan.input_at(&vec![0; plan.axes().len()]);
         plan
     }

@@ -219,6 +219,11 @@ fn find_numeric_key(name: &TomlKey, has_words: bool) -> Result<NumericKey, Value
     if let Some(key) = NumericKey::find(path) {
         return Ok(key);
     }
+    Err(ValueError { span: name.span(), message: unknown_key_message(path, has_words) })
+}
+
+/// The message about a path that is no numeric key; `has_words` if some keys with words are allowed too.
+pub(in crate::scenario) fn unknown_key_message(path: &str, has_words: bool) -> String {
     let paths = || NUMERIC_KEYS.iter().map(|key| key.path());
     let dotted = format!("{path}.");
     let all = known_names(path, &paths().collect::<Vec<_>>(), "numeric keys");
@@ -231,7 +236,7 @@ fn find_numeric_key(name: &TomlKey, has_words: bool) -> Result<NumericKey, Value
             &all,
         ),
     };
-    Err(ValueError { span: name.span(), message: format!("`{path}` is not a numeric key{hint}") })
+    format!("`{path}` is not a numeric key{hint}")
 }
 
 /// A list of values, or two ends and a number of points.

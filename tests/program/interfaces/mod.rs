@@ -6,6 +6,7 @@ pub mod drop;
 mod engines;
 pub mod export;
 mod export_two_spheres;
+mod find;
 mod header;
 pub mod hostile_input;
 #[cfg(unix)]

@@ -1,8 +1,8 @@
 """Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 
 `Contact` is a sphere on a half-space: its `restitution`, one `impact`, its `force` for a program that moves spheres.
-`impacts` is a table of impacts, `run` does any scenario, `calibrate` finds keys from measurements. `laws`, `materials` and
-`schema` say what there is. Keys, units and results are those of the command `plm-impact`; all numbers are in SI units.
+`impacts` is a table of impacts, `run` does any scenario, `calibrate` finds keys from measurements, `find` the values of a key
+that give a wanted result. `laws`, `materials` and `schema` say what there is. Keys, units and results are those of the command `plm-impact`; all numbers are in SI units.
 
     import numpy as np, plm_impact as plm
     steel = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
@@ -17,7 +17,7 @@ A wrong key or value raises ValueError, a wrong type TypeError, a missing file S
 What is doubtful is a ModelWarning, at most one a call. Long computations use all cores, and Ctrl-C stops them.
 """
 
-from ._core import Contact, Impact, __version__, calibrate, laws, materials, run, schema
+from ._core import Contact, Impact, __version__, calibrate, find, laws, materials, run, schema
 from ._impacts import impacts
 from ._results import Outcome, Table
 
@@ -30,6 +30,7 @@ __all__ = [
     "Table",
     "__version__",
     "calibrate",
+    "find",
     "impacts",
     "laws",
     "materials",

@@ -173,7 +173,7 @@ class Outcome:
 
     @functools.cached_property
     def tables(self) -> dict[str, Table]:
-        """The tables by name: `trace`, `impacts`, or the `table` of a sweep or of random cases."""
+        """The tables by name: `trace`, `impacts`, or the `table` of a sweep or of random cases, and the `traces` of a sweep."""
         tables = {name: _core.table_of_csv(data) for name, data in self._ending(".csv").items()}
         return tables if self._table is None else {**tables, "table": self._table}
 
