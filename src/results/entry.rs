@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use crate::impact::{Contact, ImpactRow};
+use crate::impact::{Contact, ImpactRow, WaveguideKind};
 use crate::units::Dimension;
 
 /// A result that is computed from a `T`.
@@ -53,9 +53,13 @@ pub enum Requirement {
     Rate,
     /// The yield strength of the sphere: without it there is no flat.
     Flat,
-    /// The density of a half-space that is no plate: without it elastic waves are not computed.
+    /// The density of a half-space that is no plate and no rod: without it elastic waves are not computed.
     Density,
     Thickness,
+    /// The diameter of a rod.
+    Rod,
+    /// A plate or a rod.
+    Waveguide,
     /// An angle or a spin: without them nothing slides.
     Incidence,
     /// A spin about the path or the normal: without them the sphere stays in its plane of incidence.
@@ -98,7 +102,9 @@ impl Requirement {
             Self::Rate => (RATES, |contact, _| contact.strain_rate_result().is_some()),
             Self::Flat => (FLATTENS, |contact, _| contact.sphere().yield_strength.is_some()),
             Self::Density => (WAVES, |_, row| row.wave_loss_fraction.is_some()),
-            Self::Thickness => (PLATE, |_, row| row.plate.is_some()),
+            Self::Thickness => (PLATE, |_, row| row.waveguide_of(WaveguideKind::Plate).is_some()),
+            Self::Rod => (ROD, |_, row| row.waveguide_of(WaveguideKind::Rod).is_some()),
+            Self::Waveguide => (WAVEGUIDE, |_, row| row.waveguide.is_some()),
             Self::Incidence => (OBLIQUE, |_, row| row.rebound.is_some()),
             Self::Cross => (CROSS, |_, row| row.rebound.is_some_and(|after| after.tangential.cross.is_some())),
             Self::Target => (FREE, |_, row| row.target_speed.is_some()),
@@ -157,7 +163,7 @@ pub(crate) const INTERVAL: &str = "the interval is known: a body yields under th
      or `strength_kind = \"proof\"`";
 pub(crate) const NOTES: &str =
     "a body yields, and the scenario does not define the kind of the strength or the exponent of the law";
-pub(crate) const WAVES: &str = "the half-space has a density and no mass, the target is no plate, the contact is not damped, and the sphere rebounds";
+pub(crate) const WAVES: &str = "the half-space has a density and no mass, the target is no plate and no rod, the contact is not damped, and the sphere rebounds";
 pub(crate) const OBLIQUE: &str = "the impact is oblique, or the sphere spins";
 pub(crate) const CROSS: &str = "the sphere has a spin about its path or about the normal";
 pub(crate) const FREE: &str = "the target has a mass and is free to move";
@@ -172,8 +178,10 @@ pub(crate) const PEENS_FOR_TIME: &str = "`[peening]` gives mass flow, area and t
 pub(crate) const SUBSURFACE: &str =
     "only the half-space yields, and the scenario has `[peening]`, or names the column in a table";
 pub(crate) const AIR: &str = "the scenario has air";
-pub(crate) const FORCES: &str = "the scenario has gravity, damping or a plate";
+pub(crate) const FORCES: &str = "the scenario has gravity, damping, a plate or a rod";
 pub(crate) const PLATE: &str = "the target is a plate";
+pub(crate) const ROD: &str = "the target is a rod";
+pub(crate) const WAVEGUIDE: &str = "the target is a plate or a rod";
 pub(crate) const GRAVITY: &str = "the scenario has gravity";
 pub(crate) const DAMPING: &str = "the scenario has damping";
 pub(crate) const VISCOUS: &str = "the scenario has viscous damping";

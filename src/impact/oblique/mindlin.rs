@@ -230,7 +230,7 @@ impl NormalMotion<'_> {
         let (mut steps, mut sum, mut is_sliding) = (Vec::new(), 0.0, true);
         let [peak, last] = self.durations;
         let duration = 0.5 * last;
-        // on a plate the sphere arrives fast and separates slowly
+        // on a plate or rod the sphere arrives fast and separates slowly
         let quick = duration.min(peak);
         let mut length = FIRST_STEP * quick;
         // a kink that is nearer to the end of a step costs less than allowed, and so does a joint that is nearer to the joint before

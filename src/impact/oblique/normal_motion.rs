@@ -119,7 +119,7 @@ impl<'a> NormalMotion<'a> {
             let drag = self.forces.damping.rates_at_force(force, || slope / FORCE_FACTOR).0 * at.speed;
             (force, nan_max(force + drag, 0.0), radius_per_slope * slope)
         };
-        // on a plate the sphere is faster than the approach
+        // on a plate or rod the sphere is faster than the approach
         let speed = at.speed + FORCE_FACTOR * self.forces.damping.plate * force;
         rim.impulse = (self.q - speed) / FORCE_FACTOR + self.forces.weight * time;
         if radius > 0.0 {

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::plate::PlateError;
+use super::waveguide::WaveguideError;
 use crate::contact::body::{InvalidInput, OutOfFloatRange};
 use crate::contact::law::LawError;
 use crate::contact::pair::{HollowTooSmall, PairError};
@@ -56,7 +56,7 @@ pub enum ImpactError {
         "the moment of inertia is too small for the steps of friction: {}",
         match least {
             Some(least) => format!("at least {least:.3e} kg m^2 is needed, and a solid sphere has {solid:.3e} kg m^2."),
-            None => "no value is large enough, because the contact lasts too long. Remove angle and spin, or use a thicker plate.".to_owned(),
+            None => "no value is large enough, because the contact lasts too long. Remove angle and spin, or use a thicker plate or rod.".to_owned(),
         }
     )]
     SmallInertia {
@@ -73,11 +73,11 @@ pub enum ImpactError {
         "an oblique impact on a free target requires a ball. Write half_space.mass = \"ball\", or remove impact.angle and the spin of the sphere."
     )]
     NoBall,
-    /// An impact on this plate is not possible.
+    /// An impact on this plate or rod is not possible.
     #[error(transparent)]
-    Plate(#[from] PlateError),
+    Waveguide(#[from] WaveguideError),
     /// No closed form for this scene.
-    #[error("method \"closed_form\" is not available with damping or on a plate. Use \"auto\" or \"rk8\".")]
+    #[error("method \"closed_form\" is not available with damping, on a plate or on a rod. Use \"auto\" or \"rk8\".")]
     NoClosedForm,
 }
 

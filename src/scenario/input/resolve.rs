@@ -10,8 +10,8 @@ use crate::contact::pair::{Pair, YieldPartition};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
-    Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Peening, Plate, PlateTheory,
-    STANDARD_GRAVITY, Solver,
+    Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Peening, Plate, PlateTheory, Rod,
+    STANDARD_GRAVITY, Solver, Waveguide,
 };
 use crate::materials::{MaterialEntry, all_materials};
 use crate::results::SUBSURFACE_COLUMNS;
@@ -77,19 +77,22 @@ impl Input {
         is_hard || body.select(law.flow_curves()).is_some() || matches!(law, LawChoice::Hertz(_))
     }
 
-    /// Gravity, damping and the plate.
+    /// Gravity, damping, and the plate or rod.
     pub fn forces(&self) -> Forces {
         let number = |at| self.number(at);
         let viscous = || number(key!("damping.viscous")).map(Damping::Viscous);
         let damping = number(key!("damping.hunt_crossley")).map(Damping::HuntCrossley).or_else(viscous);
-        let plate = number(key!("half_space.thickness")).map(|thickness| Plate {
-            thickness,
-            edge_distance: number(key!("half_space.edge_distance")),
-            theory: self
-                .word(key!("half_space.plate"))
-                .map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]),
+        let plate = number(key!("half_space.thickness")).map(|thickness| {
+            let theory = self.word(key!("half_space.plate"));
+            let theory = theory.map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]);
+            Waveguide::Plate(Plate { thickness, edge_distance: number(key!("half_space.edge_distance")), theory })
         });
-        Forces { gravity: number(key!("gravity.acceleration")), damping, plate, flight: self.free_flight() }
+        let rod = || {
+            let diameter = number(key!("half_space.rod_diameter"))?;
+            Some(Waveguide::Rod(Rod { diameter, length: number(key!("half_space.rod_length")) }))
+        };
+        let waveguide = plate.or_else(rod);
+        Forces { gravity: number(key!("gravity.acceleration")), damping, waveguide, flight: self.free_flight() }
     }
 
     /// The flight of the sphere, if there is gravity or a height.
@@ -295,7 +298,7 @@ impl Input {
             }
         }
         input.set_default_method(self.solver().method);
-        let is_on_plate = self.forces().plate.is_some();
+        let is_on_plate = self.number(key!("half_space.thickness")).is_some();
         let rates = self.rates();
         let is_raised = |path: &str| {
             Body::ALL.iter().zip(rates).any(|(body, rate)| path.starts_with(body.rate_table()) && rate.is_some())

@@ -194,7 +194,7 @@ const SPHERE_KEYS: [KeySpec; 11] = key_specs! {
 };
 
 /// The half-space, except for its strength.
-const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
+const HALF_SPACE_KEYS: [KeySpec; 11] = key_specs! {
     "";
     /// Young's modulus of the half-space.
     "half_space.youngs_modulus" of HalfSpace: Number(&MODULUS);
@@ -217,6 +217,11 @@ const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
     "half_space.edge_distance" of Motion: Number(&LENGTH);
     /// Model of the plate: "zener" for a thin plate, "thick" with the first correction for a thick plate.
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
+    /// Diameter of a long round rod that replaces the half-space and is hit at its end (Hopkinson bar); requires half_space.density. The
+    /// diameter can be an axis.
+    "half_space.rod_diameter" of Motion: Number(&LENGTH);
+    /// Length of the rod. Used only for a warning about the wave that the far end reflects.
+    "half_space.rod_length" of Motion: Number(&LENGTH);
 };
 
 const OTHER_KEYS: [KeySpec; 49] = key_specs! {

@@ -79,9 +79,11 @@ const RULES: &[Rule] = &[
             "half_space.density",
             "half_space.thickness",
             "half_space.plate",
+            "half_space.rod_diameter",
+            "half_space.rod_length",
         ],
         |facts, _| facts.is_static(),
-        "a quasi-static indentation needs no mass, density or plate",
+        "a quasi-static indentation needs no mass, density, plate or rod",
     ),
     keys(
         &["sphere.moment_of_inertia", "friction.coefficient"],
@@ -145,7 +147,7 @@ const RULES: &[Rule] = &[
     columns(&[Requirement::Subsurface], |facts, _| !facts.first().asks_for_subsurface(), "no key asks for it"),
     columns(
         &[Requirement::Subsurface],
-        |facts, _| facts.is_on_plate() || facts.is_free() || facts.first().number(key!("half_space.radius")).is_some(),
+        |facts, _| facts.is_on_waveguide() || facts.is_free() || facts.first().number(key!("half_space.radius")).is_some(),
         "the stress below a dent is known for a half-space only",
     ),
     columns(
@@ -196,13 +198,23 @@ const RULES: &[Rule] = &[
     ),
     columns(
         &[Requirement::Density],
-        |facts, _| facts.is_on_plate(),
-        "elastic waves are not computed for a plate; use plate_loss_fraction",
+        |facts, _| facts.is_on_waveguide(),
+        "elastic waves of a half-space are not computed for a plate or rod; use plate_loss_fraction or rod_loss_fraction",
     ),
     columns(
         &[Requirement::Thickness],
-        |facts, _| !facts.is_on_plate(),
+        |facts, _| facts.first().number(key!("half_space.thickness")).is_none(),
         "the target is no plate, because half_space.thickness is not given",
+    ),
+    columns(
+        &[Requirement::Rod],
+        |facts, _| facts.first().number(key!("half_space.rod_diameter")).is_none(),
+        "the target is no rod, because half_space.rod_diameter is not given",
+    ),
+    columns(
+        &[Requirement::Waveguide],
+        |facts, _| !facts.is_on_waveguide(),
+        "the target is no plate and no rod, because neither half_space.thickness nor half_space.rod_diameter is given",
     ),
 ];
 
@@ -253,8 +265,8 @@ impl Facts<'_> {
         self.first().number(key!("half_space.mass")).is_some()
     }
 
-    fn is_on_plate(&self) -> bool {
-        self.first().forces().plate.is_some()
+    fn is_on_waveguide(&self) -> bool {
+        self.first().forces().waveguide.is_some()
     }
 
     /// True if some rows have an interval of e that more than the law is a part of.

@@ -41,7 +41,7 @@ impl References {
 
 /// Compares all results that the row has; `allowed` is relative to the second number.
 fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
-    let (size, on_plate) = (impact.row.peak_indentation, impact.row.plate);
+    let (size, on_plate) = (impact.row.peak_indentation, impact.row.waveguide);
     let point = contact.pair().yield_point;
     let of_point = |of: fn(&plm_impact::contact::pair::YieldPoint) -> f64| point.as_ref().map_or(f64::NAN, of);
     // R_res = R R_e/(R_e − R) loses digits where the dent is shallow

@@ -254,8 +254,8 @@ pub fn damping_and_a_plate_only_take(run: &Run) -> Judgement {
     let Ok(free) = free else { return Ok(false) };
     let (deepest, most) = (run.impact.row.peak_indentation, free.impact.row.peak_indentation);
     prop_assert!(deepest <= most * (1.0 + 1e-8 + run.error_allowance()), "{} {}", deepest, most);
-    if let (Some(plate), None) = (run.contact.forces().plate, run.contact.forces().gravity) {
-        let thinner = run.scene.with("half_space.thickness", KeySetting::Number(0.9 * plate.thickness));
+    if let (Some(guide), None) = (run.contact.forces().waveguide, run.contact.forces().gravity) {
+        let thinner = run.scene.with(guide.kind().size_key(), KeySetting::Number(0.9 * guide.size()));
         // a plate that is too thin is refused
         let thinner = thinner.run().map(|thinner| thinner.impact).ok();
         for [less, more] in

@@ -4,7 +4,7 @@
 use plm_impact::contact::law::published::{MAX_CLIPPING, MAX_PARABOLOID_RADIUS_RATIO};
 use plm_impact::contact::pair::ALONE_FROM;
 use plm_impact::impact::limits::*;
-use plm_impact::impact::problem::plate::MAX_ZENER_NUMBER;
+use plm_impact::impact::problem::waveguide::MAX_ZENER_NUMBER;
 use plm_impact::strings::markdown_table;
 
 use crate::common::golden::assert_golden_part;
