@@ -11,7 +11,7 @@
 //! 3. [`result`] gives the results in SI units, and `warnings` checks the model and the run.
 //! 4. [`oblique`] adds the tangential motion of an impact with friction.
 //!
-//! [`series`] has impacts one after the other with [`flight`] between them. [`indentation`] has contacts without motion, and [`dem`] has
+//! [`pulse`] samples the force as a source for waves. [`series`] has impacts one after the other with [`flight`] between them. [`indentation`] has contacts without motion, and [`dem`] has
 //! force and friction for codes that move the spheres themselves.
 
 mod compute;
@@ -20,6 +20,7 @@ pub mod flight;
 pub mod indentation;
 pub mod oblique;
 pub mod problem;
+pub mod pulse;
 pub mod result;
 mod scaled_impact;
 pub mod series;
@@ -38,6 +39,7 @@ pub use problem::plate::{Plate, PlateTheory};
 pub use problem::rod::Rod;
 pub use problem::scales::Scales;
 pub use problem::waveguide::{Waveguide, WaveguideError, WaveguideFault, WaveguideKind};
+pub use pulse::{Pulse, PulseError, PulseRequest};
 pub use result::energy_balance::TraceRow;
 pub use result::impact::{Accuracy, Energy, ForcesResult, Impact};
 pub use result::row::ImpactRow;

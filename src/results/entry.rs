@@ -190,6 +190,7 @@ pub(crate) const OUTSIDE: &str = "the table has such rows";
 pub(crate) const RANDOM: &str = "the cases are random";
 pub(crate) const RANDOM_PEENING: &str = "the cases are random, and the scenario has `[peening]`";
 pub(crate) const NAMED_COLUMNS: &str = "the cases are random, and output names other columns";
+pub(crate) const PULSE: &str = "the scenario has `output.pulse`, and the sphere separates";
 pub(crate) const VERLET: &str = "the method is verlet";
 pub(crate) const BOUNCES: &str = "the sphere bounces under gravity";
 pub(crate) const CAPTURED: &str = "the sphere is captured";

@@ -10,7 +10,7 @@ use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::result::subsurface::{COMPRESSION_SCATTER, LAYER_DEPTH_SCATTER, ZONE_DEPTH_SCATTER};
 use crate::impact::{
-    Contact, CrossMotion, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, Rebound, TangentialMotion,
+    Contact, CrossMotion, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, Pulse, Rebound, TangentialMotion,
     WaveguideKind, WaveguideResult,
 };
 use crate::results::dent_interval::DentInterval;
@@ -29,6 +29,8 @@ pub struct SingleImpact<'a> {
     pub notes: &'a [String],
     /// The height of the fall \[m\]; `None` without a drop height.
     pub drop_height: Option<f64>,
+    /// The pulse, if it is asked for.
+    pub pulse: Option<&'a Pulse>,
 }
 
 impl SingleImpact<'_> {
@@ -355,6 +357,16 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Relative error of the energy at the end of the contact; positive for a gain.
         "verlet.energy_error_at_end" in Error as "energy error at the end {}" if VERLET:
             single.if_fixed_steps(|_| ()).map(|()| single.impact.energy.error_at_end);
+        /// Impulse of the force: the spectrum at frequency 0.
+        "pulse.impulse_N_s" in Impulse as "impulse" if PULSE: single.pulse.map(|pulse| pulse.impulse);
+        /// Relative error of this impulse against the change of momentum, the mass times the sum of impact and rebound speed; with
+        /// gravity also the weight times the contact time.
+        "pulse.impulse_error" in Error as "error against the momentum {}" if PULSE: single.pulse.map(|pulse| pulse.impulse_error.abs());
+        /// Frequency at which the spectrum of the force has fallen to the impulse over the square root of 2.
+        "pulse.corner_frequency_Hz" in Frequency as "corner frequency" if PULSE: single.pulse.and_then(|pulse| pulse.corner_frequency);
+        /// Frequency of the first minimum of the spectrum, which is a zero if the pulse is symmetric in time.
+        "pulse.first_minimum_Hz" in Frequency as "first minimum of the spectrum {}" if PULSE:
+            single.pulse.and_then(|pulse| pulse.first_minimum);
         /// Kinetic energy of the normal relative motion at first contact.
         "energy.kinetic_in_J" in Energy as "energy": single.impact.energy.kinetic_in;
         /// Kinetic energy of the normal motion at separation.

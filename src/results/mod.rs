@@ -15,6 +15,7 @@
 pub mod dent_interval;
 pub(crate) mod entry;
 pub mod impact;
+pub mod pulse;
 pub mod restitution_interval;
 pub mod series;
 pub mod trace;

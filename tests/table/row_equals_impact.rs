@@ -34,6 +34,10 @@ const TABLES: [Table; 12] = [
         &[("half_space.hardness", &["\"100 HV\"", "\"300 HV\""]), ("impact.speed", &["0.5", "1.0"])],
     ),
     (&["half_space.density=7850"], &[("half_space.thickness", &["2e-3", "5e-3"]), ("impact.speed", &["0.5", "1.0"])]),
+    (
+        &["half_space.density=7850"],
+        &[("half_space.rod_diameter", &["8e-3", "2e-2"]), ("impact.speed", &["0.5", "1.0"])],
+    ),
 ];
 
 /// A run of one impact has a trace, and so no closed form under forces; a table has none.

@@ -2,7 +2,9 @@
 
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::flight::trajectory::Flight;
-use crate::impact::{Approach, CrossMotion, ForcesResult, Impact, ImpactEnd, Method, TangentialMotion, Warning, WaveguideKind};
+use crate::impact::{
+    Approach, CrossMotion, ForcesResult, Impact, ImpactEnd, Method, TangentialMotion, Warning, WaveguideKind,
+};
 use crate::numerics::power::nan_max;
 use crate::strings::names::named_enum;
 

@@ -1,8 +1,8 @@
 //! Warnings about a run: its error is too large, or it creates energy.
 
 use crate::impact::problem::contact::Contact;
-use crate::impact::result::impact::Impact;
 use crate::impact::problem::waveguide::WaveguideKind;
+use crate::impact::result::impact::Impact;
 use crate::impact::result::warning::{Warning, WarningKind};
 use crate::impact::solve::{Method, Solver};
 use crate::numerics::power::nan_max;

@@ -92,12 +92,11 @@ fn plate_warnings(plate: &Plate, result: &WaveguideResult, contact_radius: f64) 
 /// The warnings for a rod, hit with this contact radius \[m\].
 fn rod_warnings(rod: &Rod, result: &WaveguideResult, contact_radius: f64) -> Vec<Warning> {
     let WaveguideResult { wave_transits, wave_reach, .. } = *result;
-    let thick =
-        Warning::new_if(wave_transits < MIN_ROD_TRANSITS, WarningKind::ShortPulseInRod, -wave_transits, || {
-            format!(
-                "e and the stress in the rod are estimates. During the contact a wave travels only {wave_transits:.2} rod diameters; below {MIN_ROD_TRANSITS} the wave in the rod is not one-dimensional. Use a thinner rod, or remove half_space.rod_diameter for a block."
-            )
-        });
+    let thick = Warning::new_if(wave_transits < MIN_ROD_TRANSITS, WarningKind::ShortPulseInRod, -wave_transits, || {
+        format!(
+            "e and the stress in the rod are estimates. During the contact a wave travels only {wave_transits:.2} rod diameters; below {MIN_ROD_TRANSITS} the wave in the rod is not one-dimensional. Use a thinner rod, or remove half_space.rod_diameter for a block."
+        )
+    });
     let ratio = contact_radius / (0.5 * rod.diameter);
     let wide = Warning::new_if(ratio > MAX_CONTACT_OVER_ROD_RADIUS, WarningKind::WideContactOnRod, ratio, || {
         format!(

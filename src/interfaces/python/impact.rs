@@ -37,6 +37,8 @@ pub struct PyImpact {
     interval: OnceLock<Option<RestitutionInterval>>,
     /// The interval of the dent, likewise.
     dent_interval: OnceLock<Option<DentInterval>>,
+    /// The pulse, if the scenario asks for one, likewise.
+    pulse: OnceLock<Option<Pulse>>,
     /// Notes for the user on the strength and on the exponent behind e.
     pub(super) notes: Vec<String>,
     /// The impact with a trace, if `result` has none; and the trace as an array. Each is computed when it is asked for first.
@@ -66,6 +68,7 @@ impl PyImpact {
             samples,
             interval: OnceLock::new(),
             dent_interval: OnceLock::new(),
+            pulse: OnceLock::new(),
             notes,
             traced: OnceLock::new(),
             trace: OnceLock::new(),
@@ -82,7 +85,17 @@ impl PyImpact {
         let has_dent_interval = row.peened.is_some() && interval.is_some();
         let of_dent = || dent_interval(&contact.input, own, self.speed, row).filter(|_| has_dent_interval);
         let dent_interval = self.dent_interval.get_or_init(of_dent).as_ref();
-        SingleImpact { contact: own, impact: &self.result, interval, dent_interval, notes: &self.notes, drop_height }
+        let of_force = || own.pulse(self.speed, &contact.input.solver(), &contact.input.pulse()?).ok();
+        let pulse = self.pulse.get_or_init(of_force).as_ref();
+        SingleImpact {
+            contact: own,
+            impact: &self.result,
+            interval,
+            dent_interval,
+            notes: &self.notes,
+            drop_height,
+            pulse,
+        }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.

@@ -16,4 +16,5 @@ mod terminal;
 pub mod units;
 
 pub use files::trace_csv;
+pub(crate) use files::{pulse_csv, spectrum_csv};
 pub use terminal::{Detail, impact_text, notes_text};

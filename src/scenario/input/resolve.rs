@@ -10,8 +10,8 @@ use crate::contact::pair::{Pair, YieldPartition};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
-    Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Peening, Plate, PlateTheory, Rod,
-    STANDARD_GRAVITY, Solver, Waveguide,
+    Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Peening, Plate, PlateTheory,
+    PulseRequest, Rod, STANDARD_GRAVITY, Solver, Waveguide,
 };
 use crate::materials::{MaterialEntry, all_materials};
 use crate::results::SUBSURFACE_COLUMNS;
@@ -247,6 +247,12 @@ impl Input {
     }
 
     /// Evenly spaced rows of the trace.
+    /// The request of a pulse, if there is one.
+    pub fn pulse(&self) -> Option<PulseRequest> {
+        let step = self.number(key!("output.pulse.step"))?;
+        Some(PulseRequest { step, padding: self.count(key!("output.pulse.padding")) })
+    }
+
     pub fn samples(&self) -> usize {
         self.count(key!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES)
     }

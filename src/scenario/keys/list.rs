@@ -7,7 +7,7 @@ use super::key_spec::ValueForm::{
 use super::quantity::{
     ACCELERATION, ANGLE, AREA, AREA_FACTOR, COVERAGE, CURVATURE, DENSITY, DEVIATION, DRAG, DROP_HEIGHT, EXPONENT,
     FACTOR, FORCE, FRICTION, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, IMPACTS,
-    INDENTATION, LEEB, LENGTH, LOAD, MASS, MASS_FLOW, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO,
+    INDENTATION, LEEB, LENGTH, LOAD, MASS, MASS_FLOW, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, PADDING, POISSONS_RATIO,
     RATE_EXPONENT, RATE_SENSITIVITY, RESTITUTION, SAMPLES, SATURATION, SHARE, SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN,
     STEPS, STRAIN_RATE, STRENGTH, TIME, TOLERANCE, TRANSITION_RATIO, VISCOSITY, VISCOUS,
 };
@@ -224,7 +224,7 @@ const HALF_SPACE_KEYS: [KeySpec; 11] = key_specs! {
     "half_space.rod_length" of Motion: Number(&LENGTH);
 };
 
-const OTHER_KEYS: [KeySpec; 49] = key_specs! {
+const OTHER_KEYS: [KeySpec; 51] = key_specs! {
     "";
     /// Impact speed: speed of the sphere at first contact, towards the half-space. With an angle, the magnitude of the velocity.
     "impact.speed" of Approach: Number(&SPEED);
@@ -302,6 +302,11 @@ const OTHER_KEYS: [KeySpec; 49] = key_specs! {
     "solver.steps_per_contact" of Solver: Count(&STEPS) => "50";
     /// Number of rows of the trace, evenly spaced in time, plus one row for every event.
     "output.samples" of Output: Count(&SAMPLES) => "400";
+    /// Time from sample to sample of the force of a single impact, in pulse.csv, with its spectrum in spectrum.csv.
+    "output.pulse.step" of Output: Number(&TIME);
+    /// Length of the pulse with zeros behind it over the contact time; the length is raised to a power of two. Without the key the
+    /// spectrum has the padding 8, and pulse.csv has no zeros.
+    "output.pulse.padding" of Output: Count(&PADDING);
     /// Columns of a table, in addition to the restitution.
     "output.columns" of Output: Words(&COLUMNS) => "all";
     /// Results to draw: over the axes of a table, or as histograms of random cases.

@@ -176,6 +176,16 @@ const RULES: &[KeyRule] = &[
         &["half_space.mass", "half_space.radius"],
         "cannot be combined with {}, because a coverage is known for a fixed, flat surface only. Remove one of the two.",
     ),
+    needs(
+        &["output.pulse"],
+        &["output.pulse.step"],
+        "requires output.pulse.step, the time from sample to sample. Add pulse = { step = \"10 ns\" }, or remove this key.",
+    ),
+    excludes(
+        &["output.pulse"],
+        &["sweep", "monte_carlo", "repeat", "indentation", "calibrate"],
+        "applies to single impacts only, and [{}] is another kind of scenario. Remove one of the two.",
+    ),
     excludes(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO_TEXT),
     excludes(&["indentation.half_space"], &["half_space"], ONE_OF_TWO_TEXT),
 ];

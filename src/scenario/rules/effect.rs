@@ -96,7 +96,7 @@ const RULES: &[Rule] = &[
         "only drag = \"sphere\" uses a viscosity",
     ),
     keys(
-        &["half_space.edge_distance"],
+        &["half_space.edge_distance", "half_space.rod_length"],
         |facts, _| facts.kind != Kind::Impact,
         "only a warning of single impacts uses this key",
     ),
@@ -147,7 +147,9 @@ const RULES: &[Rule] = &[
     columns(&[Requirement::Subsurface], |facts, _| !facts.first().asks_for_subsurface(), "no key asks for it"),
     columns(
         &[Requirement::Subsurface],
-        |facts, _| facts.is_on_waveguide() || facts.is_free() || facts.first().number(key!("half_space.radius")).is_some(),
+        |facts, _| {
+            facts.is_on_waveguide() || facts.is_free() || facts.first().number(key!("half_space.radius")).is_some()
+        },
         "the stress below a dent is known for a half-space only",
     ),
     columns(

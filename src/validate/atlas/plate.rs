@@ -27,7 +27,8 @@ fn line(law: &LawChoice, theory: PlateTheory) -> Result<Vec<(f64, f64)>, Error> 
     for step in 0..=POINTS {
         let ratio = MAX_THICKNESS * exp(ln(0.01) * (1.0 - f64::from(step) / f64::from(POINTS)));
         let plate = Plate { thickness: ratio * DIAMETER, theory, ..*plate };
-        let contact = contact.clone().with_forces(Forces { waveguide: Some(Waveguide::Plate(plate)), ..*contact.forces() });
+        let contact =
+            contact.clone().with_forces(Forces { waveguide: Some(Waveguide::Plate(plate)), ..*contact.forces() });
         let Ok(row) = contact.row(input.speed(), &Solver::AUTO) else { continue };
         points.push((ratio, row.restitution));
     }

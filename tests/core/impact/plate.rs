@@ -151,7 +151,8 @@ fn doubtful_plates_are_warned_of() {
     use PlateTheory::{Thick, Zener};
     let warned = |bodies: OnPlate, edge_distance: Option<f64>, theory: PlateTheory| {
         let plate = Plate { edge_distance, theory, ..bodies.plate() };
-        let contact = bodies.under(&Plm::default(), Forces { waveguide: Some(Waveguide::Plate(plate)), ..Forces::default() });
+        let contact =
+            bodies.under(&Plm::default(), Forces { waveguide: Some(Waveguide::Plate(plate)), ..Forces::default() });
         contact.impact(1.0, &Solver::default(), None).unwrap().warnings
     };
     // X goes with 1/h: about 28 at 2.5 mm
@@ -184,7 +185,8 @@ fn plate_below_least_thickness_is_refused() {
     let steel = OnPlate::steel(2e-3);
     // a straight unloading branch: just above the least thickness it ends, just below it is refused
     let thin = OnPlate { thickness: 1e-5, ..steel };
-    let WaveguideFault::NeverEnds { least } = refused(&thin.under(&WaltonBraun::default(), Forces::default()), 1e-3) else {
+    let WaveguideFault::NeverEnds { least } = refused(&thin.under(&WaltonBraun::default(), Forces::default()), 1e-3)
+    else {
         panic!()
     };
     let at = |thickness| OnPlate { thickness, ..steel }.under(&WaltonBraun::default(), Forces::default());

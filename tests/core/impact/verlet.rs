@@ -149,7 +149,7 @@ fn too_long_steps_are_refused_or_warned_of() {
     let contact = Contact::try_new(Sphere::elastic(5e-3, glass, 7850.0), half_space, &Plm::default()).unwrap();
     let contact = contact.with_forces(Forces { waveguide: Some(Waveguide::Plate(plate)), ..Forces::default() });
     let impact = contact.impact(3.0, &verlet(50), None).unwrap();
-    assert!(impact.row.plate_loss_fraction().unwrap() > 1.0);
+    assert!(impact.row.waveguide_loss_fraction(WaveguideKind::Plate).unwrap() > 1.0);
     let kinds = kinds(&impact);
     assert!(kinds.contains(&WarningKind::EnergyImbalance) && kinds.contains(&WarningKind::EnergyGain), "{kinds:?}");
 }

@@ -6,6 +6,9 @@ use plm_impact::error::ErrorKind;
 
 use crate::common::prelude::*;
 
+/// The keys of a plate and of a rod.
+pub const WAVEGUIDES: [&str; 2] = [WaveguideKind::Plate.size_key(), WaveguideKind::Rod.size_key()];
+
 /// The value of a key.
 #[derive(Debug, Clone, PartialEq)]
 pub enum KeySetting {
@@ -106,8 +109,8 @@ impl AnyScene {
                     self.has("law.plm.unloading_exponent") && *gain > 0.05
                 }
                 ImpactError::Law(LawError::Flow(_) | LawError::BothFlow { .. }) => self.has("half_space.flow_stress"),
-                ImpactError::Waveguide(_) => self.has("half_space.thickness"),
-                ImpactError::NoClosedForm => self.has("damping") || self.has("half_space.thickness"),
+                ImpactError::Waveguide(error) => self.has(error.kind.size_key()),
+                ImpactError::NoClosedForm => self.has("damping") || WAVEGUIDES.iter().any(|key| self.has(key)),
                 _ => false,
             },
         }

@@ -108,6 +108,12 @@ fn rows() -> Vec<[String; 3]> {
             at_most(MAX_DEFLECTION_OVER_THICKNESS),
             "warns: the plate is stiffer than computed",
         ),
+        row("`rod_wave_transits` of a rod", at_least(MIN_ROD_TRANSITS), "warns: e and the stress are estimates"),
+        row(
+            "contact radius over the radius of a rod",
+            at_most(MAX_CONTACT_OVER_ROD_RADIUS),
+            "warns: the result is an estimate",
+        ),
         row("Zener's number λ", at_most(MAX_MEASURED_ZENER_NUMBER), "warns: e is close to 0 and uncertain"),
         row("Zener's number λ", at_most(MAX_ZENER_NUMBER), "stops: no measurable rebound"),
         row(

@@ -137,7 +137,10 @@ fn contact_of_other_theory(contact: &Contact) -> Option<(Contact, f64)> {
         PlateTheory::Zener => (PlateTheory::Thick, 1.0),
         PlateTheory::Thick => (PlateTheory::Zener, 0.25),
     };
-    Some((contact.clone().with_forces(Forces { waveguide: Some(Waveguide::Plate(Plate { theory, ..plate })), ..*forces }), share))
+    Some((
+        contact.clone().with_forces(Forces { waveguide: Some(Waveguide::Plate(Plate { theory, ..plate })), ..*forces }),
+        share,
+    ))
 }
 
 /// The interval of the restitution of an impact of this input and its contact; `None` where [`Uncertainty`] has none.
