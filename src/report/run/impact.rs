@@ -48,15 +48,17 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
     Provenance { method, ..outcome::provenance(scenario, &input.law(), input.can_yield(), command) }
 }
 
-/// The pulse of an impact, if the scenario asks for one. A captured sphere has none, which is a warning of the impact.
-fn pulse(scenario: &Scenario, input: &Input, contact: &Contact, impact: &mut Impact) -> Result<Option<Pulse>, Error> {
+/// The pulse of an impact at this speed \[m/s\] normal to the surface, if the scenario asks for one; a captured sphere has none.
+pub fn compute_pulse(
+    scenario: &Scenario,
+    input: &Input,
+    contact: &Contact,
+    speed: f64,
+) -> Result<Option<Pulse>, Error> {
     let Some(request) = input.pulse() else { return Ok(None) };
-    match contact.pulse(input.approach().normal, &input.solver(), &request) {
+    match contact.pulse(speed, &input.solver(), &request) {
         Ok(pulse) => Ok(Some(pulse)),
-        Err(reason @ PulseError::Captured) => {
-            impact.warnings.push(Warning::unused_key("output.pulse", &reason.to_string()));
-            Ok(None)
-        }
+        Err(PulseError::Captured) => Ok(None),
         Err(PulseError::Impact(reason)) => Err(no_result_error(scenario, &reason)),
         Err(reason) => Err(scenario.document.refusal("output.pulse.step", reason.to_string())),
     }
@@ -64,7 +66,10 @@ fn pulse(scenario: &Scenario, input: &Input, contact: &Contact, impact: &mut Imp
 
 pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, mut impact) = compute(scenario, options.map(|_| scenario.input().samples()))?;
-    let pulse = pulse(scenario, &input, &contact, &mut impact)?;
+    let pulse = compute_pulse(scenario, &input, &contact, input.approach().normal)?;
+    if pulse.is_none() && input.pulse().is_some() {
+        impact.warnings.push(Warning::unused_key("output.pulse", &PulseError::Captured.to_string()));
+    }
     let notes = strength_notes(&input, &contact, impact.row.has_dent(), &[]);
     let Some(options) = options else {
         let (text, checked) = (overview(&input, &contact, &notes), contact_fields(&input, &contact));

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::common::prelude::*;
-use plm_impact::numerics::fft::magnitudes;
+use plm_impact::numerics::fft::{magnitude_at, magnitudes};
 
 /// Corner frequency and first zero of the exact Hertz pulse, times its contact time: Gauss quadrature of x'' = −(5/4) x^1.5 with x^2.5 =
 /// sin²(y⁵), in which the pulse is smooth. Its contact time over δ_m/v is 2.94327518432, and its impulse 2 m v to 1e-13.
@@ -18,6 +18,10 @@ fn impact(text: &str, set: &[&str]) -> (Contact, Impact, Pulse) {
     (contact, impact, pulse)
 }
 
+fn magnitude_at_first_minimum(pulse: &Pulse) -> f64 {
+    pulse.step * magnitude_at(&pulse.forces, pulse.first_minimum.unwrap() * pulse.step)
+}
+
 #[test]
 fn hertz_pulse_has_exact_spectrum() {
     let (contact, impact, pulse) = impact(STEEL, &["half_space.yield_strength=none"]);
@@ -27,8 +31,7 @@ fn hertz_pulse_has_exact_spectrum() {
     assert!(relative_error(pulse.corner_frequency.unwrap() * time, HERTZ_CORNER) < 1e-7, "{pulse:?}");
     assert!(relative_error(pulse.first_minimum.unwrap() * time, HERTZ_ZERO) < 1e-6);
     // a symmetric pulse has a zero there
-    let lowest = pulse.lines().filter(|(frequency, _)| frequency * time < 2.0).map(|(_, magnitude)| magnitude);
-    assert!(lowest.fold(f64::INFINITY, f64::min) < 0.03 * pulse.impulse);
+    assert!(magnitude_at_first_minimum(&pulse) < 1e-6 * pulse.impulse);
     // 2001 steps, with a zero after separation, and the spectrum of 8 times as many
     assert_eq!((pulse.forces.len(), pulse.spectrum.len()), (2002, 8192 + 1));
     assert_eq!((pulse.forces[0], pulse.forces[2001]), (0.0, 0.0));
@@ -51,7 +54,8 @@ fn transform_of_sine_power_has_known_zero() {
     assert!(all[lowest] < 1e-3 * all[0]);
 }
 
-/// The impulse is m (v + v') + m g t_c in every scene; the trapezoidal rule has 2000 steps. The samples are those of the trace.
+/// The impulse is m (v + v') + m g t_c in every scene; the trapezoidal rule has 2000 steps, and its largest error is that
+/// of a force that drops when the metal relaxes.
 #[test]
 fn impulse_is_change_of_momentum() {
     for set in [
@@ -66,7 +70,7 @@ fn impulse_is_change_of_momentum() {
         &["law.thornton={}"],
     ] {
         let (_, impact, pulse) = impact(STEEL, set);
-        assert!(pulse.impulse_error.abs() < 1e-5, "{set:?}: {:e}", pulse.impulse_error);
+        assert!(pulse.impulse_error.abs() < 1e-4, "{set:?}: {:e}", pulse.impulse_error);
         assert!(relative_error(pulse.contact_time, impact.row.contact_time) < 1e-8, "{set:?}");
         assert!((pulse.peak_force / impact.row.peak_force - 1.0).abs() < 1e-4, "{set:?}");
     }
@@ -78,15 +82,13 @@ fn dent_fills_first_zero_of_spectrum() {
     let (.., pulse) = impact(STEEL, &[]);
     let corner = pulse.corner_frequency.unwrap() * pulse.contact_time;
     assert!((corner - HERTZ_CORNER).abs() > 1e-3, "{corner}");
-    let at = pulse.first_minimum.unwrap();
-    let lowest =
-        pulse.lines().filter(|(f, _)| *f < 1.3 * at).map(|(_, magnitude)| magnitude).fold(f64::INFINITY, f64::min);
-    assert!(lowest > 1e-3 * pulse.impulse, "{lowest:e}");
+    let lowest = magnitude_at_first_minimum(&pulse) / pulse.impulse;
+    assert!(lowest > 1e-3 && lowest < 0.2, "{lowest:e}");
 }
 
 #[test]
 fn padding_puts_zeros_behind_pulse() {
-    let contact = contact(STEEL, &[]);
+    let contact = contact(STEEL, NO_OVERRIDES);
     let time = contact.impact(1.0, &Solver::default(), None).unwrap().row.contact_time;
     let of = |padding| contact.pulse(1.0, &Solver::default(), &PulseRequest { step: time / 100.0, padding }).unwrap();
     let (plain, padded) = (of(None), of(Some(3)));
@@ -99,7 +101,7 @@ fn padding_puts_zeros_behind_pulse() {
 
 #[test]
 fn steps_that_do_not_fit_are_refused() {
-    let contact = contact(STEEL, &[]);
+    let contact = contact(STEEL, NO_OVERRIDES);
     let time = contact.impact(1.0, &Solver::default(), None).unwrap().row.contact_time;
     let of = |step: f64| contact.pulse(1.0, &Solver::default(), &PulseRequest { step, padding: None });
     let Err(PulseError::LongStep { most, .. }) = of(time / 10.0) else { panic!() };
