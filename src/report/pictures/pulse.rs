@@ -47,6 +47,8 @@ pub fn spectrum(impact: &Impact, pulse: &Pulse) -> Chart {
             .flatten()
             .collect();
     let x = Axis::log("Frequency", "Hz");
-    let y = Axis::log("Magnitude", "N s").with_range(LEAST_SHARE * pulse.impulse, 2.0 * pulse.impulse);
+    let y = Axis::log("Magnitude", "N s")
+        .with_range(LEAST_SHARE * pulse.impulse, 2.0 * pulse.impulse)
+        .with_prefix_of(pulse.impulse);
     Chart::new(title(impact), [x, y], vec![series]).with_guides(guides)
 }
