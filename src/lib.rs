@@ -3,7 +3,7 @@
 //! A sphere of radius R, mass m and speed v meets a flat half-space at rest, normal to it or at an angle. The contact
 //! force follows Hertz up to first yield, a piecewise-linear loading curve (PLM) beyond, and the unloading law of Xie et al.
 //! (2024) during the rebound; [`contact::law::catalogue`] has the other published laws. Scenarios may add friction, gravity, damping,
-//! plates, elastic waves, series of impacts and quasi-static indentation:
+//! plates, rods, elastic waves, series of impacts and quasi-static indentation:
 //!
 //! ```text
 //! m δ'' = −F(δ, memory),   δ(0) = 0,  δ'(0) = v,   until F = 0 at δ = δ_r;   e = −δ'(end)/v
@@ -40,7 +40,7 @@
 //! | e | `restitution` | 1 | rebound speed over impact speed (COR) |
 //! | v_n, V, Ω, μ | [`Approach`] | m/s, m/s, rad/s, 1 | normal speed, tangential velocity, spin and coefficient of friction of the arriving sphere |
 //! | g, χ, ζ | [`Forces`](impact::Forces) | m/s², s/m, 1 | gravity; damping after Hunt and Crossley; fraction of critical damping |
-//! | h, Y, λ | [`Plate`](impact::Plate), [`PlateResult`](impact::PlateResult) | m, s/kg, 1 | thickness of a plate that is hit, how it gives way (w' = Y F), Zener's number |
+//! | h, d, Y, λ | [`Waveguide`](impact::Waveguide), [`WaveguideResult`](impact::WaveguideResult) | m, m, s/kg, 1 | thickness of a plate or diameter of a rod that is hit, how it gives way (w' = Y F), Zener's number |
 //! | C(ν) | [`Waves`](crate::impact::problem::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
 //! | x, f, ε, u, τ | | 1 | δ/δ_Y, F/F_Y, δ_e/δ_Y, δ'/v_Y, t v_Y/δ_Y: x'' = −(5/4) f, ' = d/dτ |
 //!
@@ -114,7 +114,7 @@
 //! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!
-//! **Forces and friction.** [`Forces`](impact::Forces) adds gravity, damping or a plate; an [`Approach`] adds angle, spin and friction:
+//! **Forces and friction.** [`Forces`](impact::Forces) adds gravity, damping, a plate or a rod; an [`Approach`] adds angle, spin and friction:
 //!
 //! ```
 //! # use plm_impact::{Contact, HalfSpace, Material, Plm, Solver, Sphere};
@@ -122,7 +122,7 @@
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! # let half_space = HalfSpace::flat(steel, Some(345e6));
 //! use plm_impact::Approach;
-//! use plm_impact::impact::{Damping, Forces, Plate, PlateTheory, TangentialMotion};
+//! use plm_impact::impact::{Damping, Forces, Plate, PlateTheory, TangentialMotion, Waveguide};
 //!
 //! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //! let forces = Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.1)), ..Forces::default() };
@@ -132,7 +132,7 @@
 //! // a plate of 5 mm absorbs energy; its target needs a density
 //! let target = HalfSpace { density: Some(7850.0), ..half_space };
 //! let plate = Plate { thickness: 5e-3, edge_distance: None, theory: PlateTheory::Zener };
-//! let forces = Forces { plate: Some(plate), ..Forces::default() };
+//! let forces = Forces { waveguide: Some(Waveguide::Plate(plate)), ..Forces::default() };
 //! let on_plate = Contact::try_new(sphere, target, &Plm::default())?.with_forces(forces).row(3.0, &Solver::AUTO)?;
 //! assert!(on_plate.restitution < contact.closed_form(3.0)?.row.restitution);
 //!

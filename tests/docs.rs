@@ -6,6 +6,7 @@
 mod common;
 
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
@@ -13,6 +14,7 @@ use std::process::Command;
 
 use common::command::text;
 use common::golden::{assert_golden, is_updating};
+use plm_impact::numerics::fft::magnitude_at;
 use tempfile::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -259,6 +261,48 @@ fn strains_in_guide_are_those_of_the_first_scenario() {
         "For the ball of `steel-on-steel.toml` the largest representative plastic strain is {slow}, {middle} and {fast}."
     );
     assert!(guide.replace('\n', " ").contains(&sentence), "{sentence}");
+}
+
+/// The guide compares the pulse of the gallery with the pulse of elastic steel, and the exact pulse of Hertz with sin^(3/2).
+#[test]
+fn numbers_of_pulses_in_guide_are_computed() {
+    let clone = Clone::new();
+    let run = |more: &str| {
+        let line = format!("plm-impact run scenarios/ball-drop-as-source.toml --json --pictures none{more}");
+        let summary: serde_json::Value = serde_json::from_str(&clone.shell(&line, 0)).unwrap();
+        let csv = fs::read_to_string(clone.path().join("plots/ball-drop-as-source/pulse.csv")).unwrap();
+        let forces = csv.lines().skip(1).map(|line| line.split_once(',').unwrap().1.parse::<f64>().unwrap());
+        let names = ["impulse_N_s", "corner_frequency_Hz", "first_minimum_Hz"];
+        let [impulse, corner, minimum] = names.map(|name| summary["pulse"][name].as_f64().unwrap());
+        (forces.collect::<Vec<_>>(), summary["contact_time_s"].as_f64().unwrap(), impulse, corner, minimum)
+    };
+    let (forces, _, impulse, corner, minimum) = run("");
+    let (exact, time, elastic_impulse, elastic_corner, elastic_minimum) = run(" --set half_space.yield_strength=none");
+    let lowest = 1e-8 * magnitude_at(&forces, 1e-8 * minimum) / impulse;
+    let sine = |k: usize| (PI * (1e-8 * k as f64 / time).min(1.0)).sin().max(0.0).powf(1.5);
+    let sines: Vec<f64> = (0..exact.len()).map(sine).collect();
+    let peak = exact.iter().copied().fold(0.0, f64::max);
+    let most = sines.iter().zip(&exact).map(|(sine, force)| sine - force / peak).fold(0.0, f64::max);
+    let excess = sines.iter().sum::<f64>() * peak / exact.iter().sum::<f64>() - 1.0;
+    // the corner is between these two
+    let share = |product: f64| magnitude_at(&sines, 1e-8 * product / time) / magnitude_at(&sines, 0.0);
+    assert!(share(0.6595) > 0.5_f64.sqrt() && share(0.6605) < 0.5_f64.sqrt() && share(1.7495) > share(1.75));
+    let guide = read("scenarios/README.md").replace("\n  ", " ");
+    for sentence in [
+        format!("here by {:.0} %", 100.0 * (1.0 - impulse / elastic_impulse)),
+        format!("here of {:.1} % of the impulse", 100.0 * lowest),
+        format!("at a frequency {:.1} % lower", 100.0 * (1.0 - minimum / elastic_minimum)),
+        format!("The corner frequency falls by {:.1} %", 100.0 * (1.0 - corner / elastic_corner)),
+        format!(
+            "too high by up to {:.1} % of the peak, and its impulse is {:.1} % too high",
+            100.0 * most,
+            100.0 * excess
+        ),
+        format!("the exact pulse of Hertz has {:.3} and {:.3}", time * elastic_corner, time * elastic_minimum),
+        "is 0.660 over the contact time and its first zero 1.750 over".to_owned(),
+    ] {
+        assert!(guide.contains(&sentence), "{sentence}");
+    }
 }
 
 #[test]

@@ -180,6 +180,7 @@ impl<'a> InverseProblem<'a> {
             impact: &impact,
             interval: None,
             dent_interval: None,
+            pulse: None,
             notes: &[],
             drop_height,
         };

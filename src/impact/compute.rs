@@ -47,7 +47,7 @@ impl Contact {
     /// The exact outcome of an impact, without integration; under gravity its times are accurate to 1e-13.
     ///
     /// # Errors
-    /// [`ImpactError::Range`], see [`Contact::scaling`]; [`ImpactError::NoClosedForm`] under damping and on a plate.
+    /// [`ImpactError::Range`], see [`Contact::scaling`]; [`ImpactError::NoClosedForm`] under damping, and on a plate or rod.
     pub fn closed_form(&self, speed: f64) -> Result<Impact, ImpactError> {
         self.impact(
             speed,

@@ -6,12 +6,12 @@
 //!
 //! The way of one impact is the code of this file, `Contact::impact_on_surface`: a folder for each of its steps.
 //!
-//! 1. [`problem`] makes the impact dimensionless: contact, scales, forces, plate, strain rate.
+//! 1. [`problem`] makes the impact dimensionless: contact, scales, forces, plate and rod, strain rate.
 //! 2. [`solve`](mod@solve) computes the normal motion: by its closed form, by integration along the pieces of the law, or in fixed steps.
 //! 3. [`result`] gives the results in SI units, and `warnings` checks the model and the run.
 //! 4. [`oblique`] adds the tangential motion of an impact with friction.
 //!
-//! [`series`] has impacts one after the other with [`flight`] between them. [`indentation`] has contacts without motion, and [`dem`] has
+//! [`pulse`] samples the force as a source for waves. [`series`] has impacts one after the other with [`flight`] between them. [`indentation`] has contacts without motion, and [`dem`] has
 //! force and friction for codes that move the spheres themselves.
 
 mod compute;
@@ -20,6 +20,7 @@ pub mod flight;
 pub mod indentation;
 pub mod oblique;
 pub mod problem;
+pub mod pulse;
 pub mod result;
 mod scaled_impact;
 pub mod series;
@@ -35,13 +36,17 @@ pub use problem::contact::{Contact, MaterialNames, StrainRateResult};
 pub use problem::error::ImpactError;
 pub use problem::forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces};
 pub use problem::peening::{PeenedSurface, Peening};
-pub use problem::plate::{Plate, PlateError, PlateTheory};
+pub use problem::plate::{Plate, PlateTheory};
+pub use problem::rod::Rod;
 pub use problem::scales::Scales;
+pub use problem::waveguide::{Waveguide, WaveguideError, WaveguideFault, WaveguideKind};
+pub use pulse::{Pulse, PulseError, PulseRequest};
 pub use result::energy_balance::TraceRow;
 pub use result::impact::{Accuracy, Energy, ForcesResult, Impact};
-pub use result::row::{ImpactRow, PlateResult};
+pub use result::row::ImpactRow;
 pub use result::subsurface::Subsurface;
 pub use result::warning::{Warning, WarningKind};
+pub use result::waveguide::WaveguideResult;
 pub use series::spot::Spot;
 pub use solve::outcome::{FixedSteps, ImpactEnd, ScaledResult, Solution};
 pub use solve::recorder::{Event, TracePoint, TraceRecorder};

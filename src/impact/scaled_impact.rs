@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 use super::problem::contact::Contact;
 use super::problem::error::ImpactError;
 use super::problem::forces::ScaledForces;
-use super::problem::plate::ScaledPlate;
 use super::problem::scales::{FORCE_FACTOR, Scales, kinetic_energy};
+use super::problem::waveguide::ScaledWaveguide;
 use super::solve::undamped_contact_time;
 use crate::contact::body::finite_positive;
 use crate::contact::law::{Law, LoadingHistory, Surface};
@@ -20,7 +20,7 @@ pub(super) struct ScaledImpact<'a> {
     /// v/V.
     pub(super) q: f64,
     pub(super) forces: ScaledForces,
-    pub(super) plate: Option<ScaledPlate>,
+    pub(super) waveguide: Option<ScaledWaveguide>,
 }
 
 impl Contact {
@@ -47,7 +47,7 @@ impl Contact {
             return Err(ImpactError::FreeUnderGravity);
         }
         let weight = self.mass() * gravity;
-        // damping and plate remove energy: an impact that is elastic without them is elastic with them
+        // damping, plate and rod remove energy: an impact that is elastic without them is elastic with them
         let with_weight = || {
             let (q, least) = (speed / self.scales.speed, self.elastic_speed / self.scales.speed);
             let until = self.law.recovers_fully_until();
@@ -68,19 +68,19 @@ impl Contact {
             (scales, hertz_law().into(), speed / scales.speed)
         };
         if self.forces().is_none() {
-            return Ok(ScaledImpact { scales, ground, q, forces: ScaledForces::NONE, plate: None });
+            return Ok(ScaledImpact { scales, ground, q, forces: ScaledForces::NONE, waveguide: None });
         }
         let drag =
             self.forces().damping.map_or(DampingCoefficients::NONE, |damping| damping.scaled_coefficients(&scales));
         let mut forces = ScaledForces { weight: weight / scales.units.force, damping: drag };
-        let mut plate = None;
-        if let Some(under) = self.contact_plate()? {
+        let mut waveguide = None;
+        if let Some(under) = self.contact_waveguide()? {
             let free_time = undamped_contact_time(ground, q, &forces)? * scales.time();
             let scaled = under.to_scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
             forces.damping.plate = scaled.mobility / FORCE_FACTOR;
-            plate = Some(scaled);
+            waveguide = Some(scaled);
         }
-        Ok(ScaledImpact { scales, ground, q, forces, plate })
+        Ok(ScaledImpact { scales, ground, q, forces, waveguide })
     }
 }
 

@@ -1,7 +1,8 @@
 //! Mathematics that knows nothing of contacts: functions with the same bits on every machine, powers, roots, quadrature, a
-//! force as a curve of smooth pieces, and the integration of a motion along them.
+//! force as a curve of smooth pieces, Fourier transforms, and the integration of a motion along them.
 
 pub mod curve;
+pub mod fft;
 pub mod functions;
 pub mod ode;
 pub mod piecewise_fit;

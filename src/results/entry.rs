@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::hardness_scales::ImpactBody;
-use crate::impact::{Contact, ImpactRow};
+use crate::impact::{Contact, ImpactRow, WaveguideKind};
 use crate::units::Dimension;
 
 /// A result that is computed from a `T`.
@@ -54,9 +54,13 @@ pub enum Requirement {
     Rate,
     /// The yield strength of the sphere: without it there is no flat.
     Flat,
-    /// The density of a half-space that is not a plate: without it elastic waves are not computed.
+    /// The density of a half-space that is not a plate or a rod: without it elastic waves are not computed.
     Density,
     Thickness,
+    /// The diameter of a rod.
+    Rod,
+    /// A plate or a rod.
+    Waveguide,
     /// An angle or a spin: without them nothing slides.
     Incidence,
     /// A spin about the path or the normal: without them the sphere stays in its plane of incidence.
@@ -105,7 +109,9 @@ impl Requirement {
             Self::Rate => (RATES, |contact, _| contact.strain_rate_result().is_some()),
             Self::Flat => (FLATTENS, |contact, _| contact.sphere().yield_strength.is_some()),
             Self::Density => (WAVES, |_, row| row.wave_loss_fraction.is_some()),
-            Self::Thickness => (PLATE, |_, row| row.plate.is_some()),
+            Self::Thickness => (PLATE, |_, row| row.waveguide_of(WaveguideKind::Plate).is_some()),
+            Self::Rod => (ROD, |_, row| row.waveguide_of(WaveguideKind::Rod).is_some()),
+            Self::Waveguide => (WAVEGUIDE, |_, row| row.waveguide.is_some()),
             Self::Incidence => (OBLIQUE, |_, row| row.rebound.is_some()),
             Self::Cross => (CROSS, |_, row| row.rebound.is_some_and(|after| after.tangential.cross.is_some())),
             Self::Target => (FREE, |_, row| row.target_speed.is_some()),
@@ -174,7 +180,7 @@ pub(crate) const INTERVAL: &str = "the interval is known: a body yields under th
      or `strength_kind = \"proof\"`";
 pub(crate) const NOTES: &str =
     "a body yields, and the scenario does not define the kind of the strength or the exponent of the law";
-pub(crate) const WAVES: &str = "the half-space has a density and no mass, the target is not a plate, the contact is not damped, and the sphere rebounds";
+pub(crate) const WAVES: &str = "the half-space has a density and no mass, the target is not a plate or a rod, the contact is not damped, and the sphere rebounds";
 pub(crate) const OBLIQUE: &str = "the impact is oblique, or the sphere spins";
 pub(crate) const CROSS: &str = "the sphere has a spin about its path or about the normal";
 pub(crate) const FREE: &str = "the target has a mass and is free to move";
@@ -192,8 +198,10 @@ pub(crate) const SUBSURFACE: &str =
 pub(crate) const LEEB: &str = "mass, tip and energy of the sphere are those of a Leeb tester, and the sphere hits a fixed target along the normal ([table](README.md#hardness-scales-of-testers))";
 pub(crate) const SCLEROSCOPE: &str = "mass, tip and energy of the sphere are those of the hammer of a scleroscope, and the hammer hits a fixed target along the normal ([table](README.md#hardness-scales-of-testers))";
 pub(crate) const AIR: &str = "the scenario has air";
-pub(crate) const FORCES: &str = "the scenario has gravity, damping or a plate";
+pub(crate) const FORCES: &str = "the scenario has gravity, damping, a plate or a rod";
 pub(crate) const PLATE: &str = "the target is a plate";
+pub(crate) const ROD: &str = "the target is a rod";
+pub(crate) const WAVEGUIDE: &str = "the target is a plate or a rod";
 pub(crate) const GRAVITY: &str = "the scenario has gravity";
 pub(crate) const DAMPING: &str = "the scenario has damping";
 pub(crate) const VISCOUS: &str = "the scenario has viscous damping or a viscoelastic time";
@@ -202,6 +210,7 @@ pub(crate) const OUTSIDE: &str = "the table has such rows";
 pub(crate) const RANDOM: &str = "the cases are random";
 pub(crate) const RANDOM_PEENING: &str = "the cases are random, and the scenario has `[peening]`";
 pub(crate) const NAMED_COLUMNS: &str = "the cases are random, and output names other columns";
+pub(crate) const PULSE: &str = "the scenario has `output.pulse`, and the sphere separates";
 pub(crate) const VERLET: &str = "the method is verlet";
 pub(crate) const BOUNCES: &str = "the sphere bounces under gravity";
 pub(crate) const CAPTURED: &str = "the sphere is captured";

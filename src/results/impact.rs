@@ -12,8 +12,8 @@ use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::result::subsurface::{COMPRESSION_SCATTER, LAYER_DEPTH_SCATTER, ZONE_DEPTH_SCATTER};
 use crate::impact::{
-    Contact, CrossMotion, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound,
-    TangentialMotion,
+    Contact, CrossMotion, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, Pulse, Rebound, TangentialMotion,
+    WaveguideKind, WaveguideResult,
 };
 use crate::results::dent_interval::DentInterval;
 use crate::results::restitution_interval::RestitutionInterval;
@@ -31,6 +31,8 @@ pub struct SingleImpact<'a> {
     pub notes: &'a [String],
     /// The height of the fall \[m\]; `None` without a drop height.
     pub drop_height: Option<f64>,
+    /// The pulse, if it is asked for.
+    pub pulse: Option<&'a Pulse>,
 }
 
 impl SingleImpact<'_> {
@@ -73,8 +75,13 @@ impl SingleImpact<'_> {
     }
 
     /// The value, if a plate is hit.
-    fn if_plate<V>(&self, value: impl FnOnce(&PlateResult) -> V) -> Option<V> {
-        self.impact.row.plate.as_ref().map(value)
+    fn if_plate<V>(&self, value: impl FnOnce(&WaveguideResult) -> V) -> Option<V> {
+        self.impact.row.waveguide_of(WaveguideKind::Plate).map(value)
+    }
+
+    /// The value, if a rod is hit.
+    fn if_rod<V>(&self, value: impl FnOnce(&WaveguideResult) -> V) -> Option<V> {
+        self.impact.row.waveguide_of(WaveguideKind::Rod).map(value)
     }
 
     /// The value, if the sphere came in at an angle, or spinning.
@@ -133,18 +140,31 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "restitution_interval_high" if TABLES [Interval: |row| row.restitution_interval.map(|[_, high]| high)];
         /// Fraction of the normal kinetic energy that the plate absorbs; with gravity the fraction may exceed 1.
         "plate_loss_fraction" in Percent as "plate loss"
-            [Thickness: ImpactRow::plate_loss_fraction];
-        /// Zener's inelasticity parameter: 0 for a thick plate; at 1 and above the sphere hardly rebounds.
-        "zener_number" as "Zener number" [Thickness: |row| row.plate.map(|plate| plate.zener_number)];
+            [Thickness: |row| row.waveguide_loss_fraction(WaveguideKind::Plate)];
+        /// Fraction of the normal kinetic energy that the rod absorbs; with gravity the fraction may exceed 1.
+        "rod_loss_fraction" in Percent as "rod loss" [Rod: |row| row.waveguide_loss_fraction(WaveguideKind::Rod)];
+        /// Zener's inelasticity parameter: 0 for a thick plate or rod; at 1 and above the sphere hardly rebounds.
+        "zener_number" as "Zener number" [Waveguide: |row| row.waveguide.map(|waveguide| waveguide.zener_number)];
         /// Number of plate thicknesses that a wave travels during the contact time on a half-space: below 2 the plate acts as a
         /// half-space, at 10 and above the plate is thin.
         "plate_wave_transits" as "wave transits of the plate" if PLATE: single.if_plate(|plate| plate.wave_transits);
         /// Displacement of the plate at separation.
         "plate_displacement_m" in Length as "plate displacement"
-            [Thickness: |row| row.plate.map(|plate| plate.displacement)];
+            [Thickness: |row| row.waveguide_of(WaveguideKind::Plate).map(|plate| plate.displacement)];
         /// Minimum distance of an edge from which no bending wave returns during the contact.
         "plate_wave_reach_m" in Length as "required edge distance {}"
-            [Thickness: |row| row.plate.map(|plate| plate.wave_reach).filter(|reach| reach.is_finite())];
+            [Thickness: |row| row.waveguide_of(WaveguideKind::Plate).and_then(WaveguideResult::finite_wave_reach)];
+        /// Number of rod diameters that a wave travels during the contact time on a half-space: at 4 and above the wave in the rod is
+        /// one-dimensional.
+        "rod_wave_transits" as "wave transits of the rod" if ROD: single.if_rod(|rod| rod.wave_transits);
+        /// Largest stress of the pulse in the rod: peak force over cross section.
+        "rod_peak_stress_Pa" in Pressure as "peak stress in the rod" [Rod: ImpactRow::rod_peak_stress];
+        /// Displacement of the end of the rod at separation: impulse over impedance.
+        "rod_displacement_m" in Length as "rod displacement"
+            [Rod: |row| row.waveguide_of(WaveguideKind::Rod).map(|rod| rod.displacement)];
+        /// Minimum length of the rod, from whose far end no wave returns during the contact.
+        "rod_wave_reach_m" in Length as "required rod length {}"
+            [Rod: |row| row.waveguide_of(WaveguideKind::Rod).and_then(WaveguideResult::finite_wave_reach)];
         /// Energy radiated as elastic waves, to first order, over the kinetic energy of the motion normal to the half-space.
         "wave_loss_fraction" in Percent as "wave loss" [Density: |row| row.wave_loss_fraction];
         /// Restitution reduced by the energy of elastic waves; 0 if the waves would absorb all recovered energy.
@@ -354,6 +374,16 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         /// Relative error of the energy at the end of the contact; positive for a gain.
         "verlet.energy_error_at_end" in Error as "energy error at the end {}" if VERLET:
             single.if_fixed_steps(|_| ()).map(|()| single.impact.energy.error_at_end);
+        /// Impulse of the force: the spectrum at frequency 0.
+        "pulse.impulse_N_s" in Impulse as "impulse" if PULSE: single.pulse.map(|pulse| pulse.impulse);
+        /// Relative error of this impulse against the change of momentum, the mass times the sum of impact and rebound speed; with
+        /// gravity also the weight times the contact time.
+        "pulse.impulse_error" in Error as "error against the momentum {}" if PULSE: single.pulse.map(|pulse| pulse.impulse_error.abs());
+        /// Frequency at which the spectrum of the force has fallen to the impulse over the square root of 2.
+        "pulse.corner_frequency_Hz" in Frequency as "corner frequency" if PULSE: single.pulse.and_then(|pulse| pulse.corner_frequency);
+        /// Frequency of the first minimum of the spectrum, which is a zero if the pulse is symmetric in time.
+        "pulse.first_minimum_Hz" in Frequency as "first minimum of the spectrum {}" if PULSE:
+            single.pulse.and_then(|pulse| pulse.first_minimum);
         /// Kinetic energy of the normal relative motion at first contact.
         "energy.kinetic_in_J" in Energy as "energy": single.impact.energy.kinetic_in;
         /// Kinetic energy of the normal motion at separation.
@@ -364,6 +394,8 @@ pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
         "energy.centre_of_mass_J" in Energy as "centre-of-mass energy {}" if FREE: single.impact.energy.centre_of_mass;
         /// Energy in the plate at separation, or at the end of the computation of a captured sphere.
         "energy.plate_J" in Energy as "{%} plate loss" if PLATE: single.if_plate(|plate| plate.energy);
+        /// Energy in the rod at separation, or at the end of the computation of a captured sphere.
+        "energy.rod_J" in Energy as "{%} rod loss" if ROD: single.if_rod(|rod| rod.energy);
         /// Energy absorbed by damping.
         "energy.damping_J" in Energy as "{%} damping loss" if DAMPING: single.if_forces(|under| under.damping_loss).flatten();
         /// Elastic energy left in the contact if the sphere separates before the contact has recovered.

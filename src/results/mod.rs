@@ -16,6 +16,7 @@ pub mod dent_interval;
 pub(crate) mod entry;
 pub mod hardness_scales;
 pub mod impact;
+pub mod pulse;
 pub mod restitution_interval;
 pub mod series;
 pub mod trace;
@@ -41,10 +42,14 @@ pub const SUBSURFACE_COLUMNS: [&str; 6] = [
 /// The columns whose means give the coverage by random shots: area of a dent, and mass of a shot.
 pub const PEENING_MEANS: [&str; 2] = ["dent_area_m2", "shot_mass_kg"];
 
-/// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
+/// The columns of results that a table may have, in their order: those of plates, rods and elastic waves come last.
 pub fn result_columns() -> Vec<ResultColumn> {
     let mut columns: Vec<ResultColumn> = impact::impact_results().iter().filter_map(|result| result.column).collect();
-    columns.sort_by_key(|column| (column.needs == Requirement::Density, column.needs == Requirement::Thickness));
+    columns.sort_by_key(|column| match column.needs {
+        Requirement::Thickness | Requirement::Rod | Requirement::Waveguide => 1,
+        Requirement::Density => 2,
+        _ => 0,
+    });
     columns
 }
 

@@ -1,8 +1,8 @@
 //! The results of impacts one after the other: those of the series, of every impact, and the columns of the trace.
 
 use super::{ResultSpec, result_specs};
-use crate::impact::Contact;
 use crate::impact::series::{ImpactSeries, SeriesEnd, SeriesImpact, SeriesMode, SeriesResult};
+use crate::impact::{Contact, WaveguideKind};
 use crate::numerics::power::nan_max;
 use crate::units::{Dimension, format_result};
 
@@ -39,9 +39,10 @@ impl SeriesReport<'_> {
         self.sequence.impacts.last().map_or(0.0, value)
     }
 
-    /// The energy in the plate after all impacts, if there is a plate.
-    fn plate_energy(&self) -> Option<f64> {
-        self.contact.forces().plate.map(|_| self.sequence.impacts.iter().filter_map(SeriesImpact::plate_energy).sum())
+    /// The energy in a waveguide of this kind after all impacts, if the target is one.
+    fn waveguide_energy(&self, kind: WaveguideKind) -> Option<f64> {
+        let energies = || self.sequence.impacts.iter().filter_map(|impact| impact.waveguide_energy(kind));
+        self.contact.forces().waveguide.filter(|guide| guide.kind() == kind).map(|_| energies().sum())
     }
 
     /// The azimuth of the last rebound, in degrees, if the sphere has a spin out of the plane of incidence.
@@ -127,7 +128,9 @@ pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
         /// Plastic work of all impacts.
         "energy.plastic_J" in Energy if YIELDS: series.if_yields(series.sequence.impacts.iter().filter_map(|hit| hit.impact.energy.plastic).sum::<f64>());
         /// Energy that the plate absorbed in all impacts.
-        "energy.plate_J" in Energy if PLATE: series.plate_energy();
+        "energy.plate_J" in Energy if PLATE: series.waveguide_energy(WaveguideKind::Plate);
+        /// Energy that the rod absorbed in all impacts.
+        "energy.rod_J" in Energy if ROD: series.waveguide_energy(WaveguideKind::Rod);
         /// Energy that friction absorbed in all impacts.
         "energy.friction_J" in Energy if OBLIQUE:
             series.sequence.impacts.iter().filter_map(|hit| hit.impact.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
@@ -217,7 +220,9 @@ pub fn impact_columns<'a>() -> Vec<ResultSpec<(usize, &'a SeriesImpact)>> {
         /// Plastic work.
         "plastic_J" in Energy if YIELDS: row.1.impact.energy.plastic;
         /// Energy in the plate at separation, or at the end of the computation of a captured sphere.
-        "plate_J" in Energy if PLATE: row.1.plate_energy();
+        "plate_J" in Energy if PLATE: row.1.waveguide_energy(WaveguideKind::Plate);
+        /// Energy in the rod at separation, or at the end of the computation of a captured sphere.
+        "rod_J" in Energy if ROD: row.1.waveguide_energy(WaveguideKind::Rod);
         /// Energy absorbed by damping.
         "damping_J" in Energy if DAMPING: row.1.forces_value(|forces| forces.damping_loss);
         /// Energy absorbed by friction.

@@ -16,12 +16,14 @@ pub fn trace_results() -> Vec<ResultSpec<TraceRow>> {
         "half_space_indentation_m" in Length: row.half_space_indentation;
         /// Speed into the half-space; negative during the rebound.
         "speed_m_per_s" in Speed: row.speed;
-        /// Speed of the sphere's centre: speed into the plate plus speed of the plate.
-        "sphere_speed_m_per_s" in Speed if PLATE: row.sphere_speed;
+        /// Speed of the sphere's centre: speed into the plate or rod plus its speed.
+        "sphere_speed_m_per_s" in Speed if WAVEGUIDE: row.sphere_speed;
         /// Force on the sphere, including damping.
         "force_N" in Force: row.force;
         /// Force of the contact law alone.
         "elastic_force_N" in Force if DAMPING: row.elastic_force;
+        /// Stress in the rod just behind its end: force over cross section. This pulse travels along the rod.
+        "rod_stress_Pa" in Pressure if ROD: row.rod_stress;
         /// Slip speed of the contact point: tangential speed of the centre minus radius times spin. With a spin about the path it is the
         /// magnitude of this difference as a vector, negative backwards.
         "slip_speed_m_per_s" in Speed if OBLIQUE: friction_value(row, |friction| friction.slip_speed);

@@ -82,9 +82,9 @@ impl VariedKeys {
         };
         let is_used = match key.part {
             Part::Motion if has("indentation") => false,
-            // a plate needs a density; elastic waves are not computed together with damping
+            // a plate and a rod need a density; elastic waves are not computed together with damping
             Part::Motion if key.path == "half_space.density" => {
-                is_given("half_space.thickness") || !is_given("damping")
+                is_given("half_space.thickness") || is_given("half_space.rod_diameter") || !is_given("damping")
             }
             // other laws have no hardening, and a curve needs its own yield strength, or the hardness
             Part::Flow => {

@@ -202,7 +202,7 @@ impl Scenario {
             self.check_flow(&input),
             fall,
             self.check_target(&input, &contact),
-            self.check_plate(&contact),
+            self.check_waveguide(&contact),
             self.check_air(&input),
             self.check_strength(&input),
             self.check_rates(&input),

@@ -5,7 +5,7 @@ use super::input::{Body, Input, NUMERIC_KEYS, NumericKey};
 use super::keys::Part;
 use crate::contact::law::LawError;
 use crate::error::{Error, ErrorKind};
-use crate::impact::{Contact, ImpactError};
+use crate::impact::{Contact, ImpactError, WaveguideKind};
 use crate::numerics::ode::IntegrationError;
 
 impl Scenario {
@@ -26,7 +26,11 @@ pub fn no_result_error(scenario: &Scenario, reason: &ImpactError) -> Error {
         }
         ImpactError::Law(LawError::Exponent { .. }) => "law.plm.unloading_exponent",
         ImpactError::Law(_) => "law",
-        ImpactError::Plate(_) | ImpactError::SmallInertia { least: None, .. } => "half_space.thickness",
+        ImpactError::Waveguide(error) => error.kind.size_key(),
+        ImpactError::SmallInertia { least: None, .. } => {
+            let sizes = [WaveguideKind::Plate, WaveguideKind::Rod].map(WaveguideKind::size_key);
+            sizes.into_iter().find(|key| scenario.document.contains(key)).unwrap_or(sizes[0])
+        }
         ImpactError::Hollow(_) => "half_space.radius",
         ImpactError::FreeUnderGravity | ImpactError::NoBall => "half_space.mass",
         ImpactError::NoClosedForm => "solver.method",

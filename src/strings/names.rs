@@ -65,13 +65,15 @@ fn related_names<'a>(word: &str, candidates: &[&'a str]) -> Vec<&'a str> {
 }
 
 /// Other words of the field for names of keys and tables: the word, and the name in a scenario.
-const SYNONYMS: [(&str, &str); 21] = [
+const SYNONYMS: [(&str, &str); 23] = [
     ("velocity", "speed"),
     ("v", "speed"),
     ("height", "drop_height"),
     ("ball", "sphere"),
     ("particle", "sphere"),
     ("plate", "half_space"),
+    ("rod", "half_space"),
+    ("bar", "half_space"),
     ("wall", "half_space"),
     ("target", "half_space"),
     ("block", "half_space"),

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::OnceLock;
 
 use crate::contact::law::LawChoice;
-use crate::impact::{Contact, ImpactError, ImpactRow};
+use crate::impact::{Contact, ImpactError, ImpactRow, WaveguideKind};
 use crate::numerics::ode::IntegrationError;
 use crate::results::Requirement;
 use crate::scenario::input::{Body, Input, NumericKey};
@@ -31,6 +31,8 @@ named_enum! {
         SmallInertia = "small_inertia",
         /// An impact on this plate is not possible.
         OutsidePlate = "outside_plate",
+        /// An impact on this rod is not possible.
+        OutsideRod = "outside_rod",
         /// The method is `closed_form`, but the scene has no closed form.
         NoClosedForm = "no_closed_form",
         /// A value of the row is NaN or not allowed. A scenario is refused for it; an array of Python may have such values.
@@ -50,7 +52,10 @@ impl From<ImpactError> for RowFailure {
             | ImpactError::ViscoelasticRate
             | ImpactError::NoBall => Self::OutsideLaw,
             ImpactError::SmallInertia { .. } => Self::SmallInertia,
-            ImpactError::Plate(_) => Self::OutsidePlate,
+            ImpactError::Waveguide(error) => match error.kind {
+                WaveguideKind::Plate => Self::OutsidePlate,
+                WaveguideKind::Rod => Self::OutsideRod,
+            },
             ImpactError::NoClosedForm => Self::NoClosedForm,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
             ImpactError::Integration(

@@ -43,6 +43,8 @@ dimensions! {
     StrainRate: "a rate", "1/s", "_per_s", "\"1 1/s\"";
     MomentOfInertia: "a moment of inertia", "kg m^2", "_kg_m2", "\"1e-6 kg m^2\"";
     Viscosity: "a viscosity", "Pa s", "_Pa_s", "\"1.8e-5 Pa s\"";
+    Frequency: "a frequency", "Hz", "_Hz", "\"20 kHz\"";
+    Impulse: "an impulse", "N s", "_N_s", "\"5 mN s\"";
     Ratio: "a plain number", "", "", "0.3";
 }
 

@@ -30,8 +30,9 @@ const fn input_unit(name: &'static str, dimension: Dimension, scale: UnitScale) 
 }
 
 use Dimension::{
-    Acceleration, Angle, AngularSpeed, Area, ArealMass, ArealNumber, Density, Energy, Force, InverseSpeed, Length,
-    Mass, MassFlow, MomentOfInertia, Pressure, Ratio, Speed, Stiffness, StrainRate, SurfaceEnergy, Time, Viscosity,
+    Acceleration, Angle, AngularSpeed, Area, ArealMass, ArealNumber, Density, Energy, Force, Frequency, Impulse,
+    InverseSpeed, Length, Mass, MassFlow, MomentOfInertia, Pressure, Ratio, Speed, Stiffness, StrainRate,
+    SurfaceEnergy, Time, Viscosity,
 };
 
 pub(super) const UNITS: &[Unit] = &[
@@ -153,6 +154,14 @@ pub(super) const UNITS: &[Unit] = &[
     input_unit("/s", StrainRate, UnitScale::PowerOfTen(0)),
     input_unit("s^-1", StrainRate, UnitScale::PowerOfTen(0)),
     input_unit("1/ms", StrainRate, UnitScale::PowerOfTen(3)),
+    display_unit("Hz", Frequency, 0),
+    display_unit("kHz", Frequency, 3),
+    display_unit("MHz", Frequency, 6),
+    display_unit("GHz", Frequency, 9),
+    display_unit("nN s", Impulse, -9),
+    display_unit("µN s", Impulse, -6),
+    display_unit("mN s", Impulse, -3),
+    display_unit("N s", Impulse, 0),
     input_unit("g mm^2", MomentOfInertia, UnitScale::PowerOfTen(-9)),
     input_unit("oz in^2", MomentOfInertia, UnitScale::Decimal("1.8289978339325e-5")), // 0.028349523125 kg x (0.0254 m)^2
     input_unit("lb in^2", MomentOfInertia, UnitScale::Decimal("2.926396534292e-4")),  // 0.45359237 kg x (0.0254 m)^2

@@ -9,7 +9,7 @@ use crate::common::prelude::*;
 /// Settings of a scenario, and axes: a key and its values, as they stand in a file.
 type Table = (&'static [&'static str], &'static [(&'static str, &'static [&'static str])]);
 
-const TABLES: [Table; 12] = [
+const TABLES: [Table; 13] = [
     (&[], &[METHODS, SPEEDS]),
     (&["gravity.acceleration=9.81", "half_space.density=7850"], &[STEPPED, SPEEDS]),
     (&["damping.viscous=0.1"], &[STEPPED, SPEEDS]),
@@ -34,6 +34,10 @@ const TABLES: [Table; 12] = [
         &[("half_space.hardness", &["\"100 HV\"", "\"300 HV\""]), ("impact.speed", &["0.5", "1.0"])],
     ),
     (&["half_space.density=7850"], &[("half_space.thickness", &["2e-3", "5e-3"]), ("impact.speed", &["0.5", "1.0"])]),
+    (
+        &["half_space.density=7850"],
+        &[("half_space.rod_diameter", &["8e-3", "2e-2"]), ("impact.speed", &["0.5", "1.0"])],
+    ),
 ];
 
 /// A run of one impact has a trace, and so no closed form under forces; a table has none.

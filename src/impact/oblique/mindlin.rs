@@ -201,7 +201,7 @@ impl<'a> SlipRun<'a> {
         let state = TangentialState { profile, rim, speed: first_speed, acceleration: 0.0, jerk: 0.0 };
         let [peak, last] = motion.durations;
         let duration = 0.5 * last;
-        // on a plate the sphere arrives fast and separates slowly
+        // on a plate or rod the sphere arrives fast and separates slowly
         let quick = duration.min(peak);
         let largest_radius = motion.state_at(peak).square.sqrt();
         Self {

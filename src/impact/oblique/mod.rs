@@ -156,7 +156,7 @@ const MAX_PHASE_ANGLE: f64 = 100.0;
 const MIN_PSI: f64 = 1e-8;
 
 /// Requested accuracy of s_1/s_0 in a table. The error of a row may exceed it: in random impacts the largest error is 1.3e-5 under the
-/// PLM (also with damping, with gravity and on plates), and 5e-5 under other laws.
+/// PLM (also with damping, with gravity, on plates and rods), and 5e-5 under other laws.
 const ROW_ACCURACY: f64 = 5e-6;
 /// Requested accuracy of s_1/s_0 in a single run; the error in random impacts is at most 1e-7.
 const RUN_ACCURACY: f64 = 2e-9;
@@ -199,7 +199,7 @@ impl<'a> ObliqueImpact<'a> {
         1.0 - 2.0 * self.chi * self.impulse() / self.psi.abs()
     }
 
-    /// True if the contact point certainly slides during the whole contact, without gravity, damping and plate.
+    /// True if the contact point certainly slides during the whole contact, without gravity, damping, plate and rod.
     ///
     /// ```text
     /// |ψ_1| ≥ max(2χ (1 + e) − e min(1, 2n − 2),  2χ + r)

@@ -116,7 +116,7 @@ impl<'a> NormalMotion<'a> {
             let [force, slope, _] = if at.distance > 0.0 { branch.derivatives(at.distance) } else { [0.0; 3] };
             (force, total_force(self.forces.damping, force, || slope, at.speed), radius_per_slope * slope)
         };
-        // on a plate the sphere is faster than the approach
+        // on a plate or rod the sphere is faster than the approach
         let speed = at.speed + FORCE_FACTOR * self.forces.damping.plate * force;
         rim.impulse = (self.q - speed) / FORCE_FACTOR + self.forces.weight * time;
         if radius > 0.0 {

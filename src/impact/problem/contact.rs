@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::error::ImpactError;
 use super::forces::Forces;
 use super::peening::Peening;
-use super::plate::{ContactPlate, PlateError};
 use super::scales::Scales;
+use super::waveguide::{ContactWaveguide, WaveguideError, WaveguideFault};
 use super::waves::Waves;
 use crate::contact::body::{HalfSpace, Material, Sphere, Support, finite_positive};
 use crate::contact::law::{ContactLaw, ContactState, Law, LawChoice, Surface};
@@ -189,7 +189,7 @@ impl Contact {
         self.moment_of_inertia
     }
 
-    /// Returns this contact with gravity and damping, or on a plate.
+    /// Returns this contact with gravity and damping, or on a waveguide.
     #[inline]
     pub fn with_forces(mut self, forces: Forces) -> Self {
         self.forces = forces;
@@ -262,22 +262,23 @@ impl Contact {
         &self.forces
     }
 
-    pub(in crate::impact) fn contact_plate(&self) -> Result<Option<ContactPlate>, PlateError> {
-        let Some(plate) = self.forces.plate else { return Ok(None) };
+    pub(in crate::impact) fn contact_waveguide(&self) -> Result<Option<ContactWaveguide>, WaveguideError> {
+        let Some(guide) = self.forces.waveguide else { return Ok(None) };
+        let refuse = |reason| Err(WaveguideError { kind: guide.kind(), reason });
         match self.forces.damping {
-            _ if self.half_space.radius.is_some() || self.target_mass.is_some() => Err(PlateError::Curved),
-            Some(_) => Err(PlateError::Damped),
-            None => ContactPlate::new(plate, &self.half_space, self.mass, &self.scales, &self.law).map(Some),
+            _ if self.half_space.radius.is_some() || self.target_mass.is_some() => refuse(WaveguideFault::Curved),
+            Some(_) => refuse(WaveguideFault::Damped),
+            None => ContactWaveguide::new(guide, &self.half_space, self.mass, &self.scales, &self.law).map(Some),
         }
     }
 
-    /// Checks the plate of this contact, if it has one, for everything that does not depend on the speed.
-    pub fn check_plate(&self) -> Result<(), PlateError> {
-        self.contact_plate().map(drop)
+    /// Checks the plate or rod of this contact, if it has one, for everything that does not depend on the speed.
+    pub fn check_waveguide(&self) -> Result<(), WaveguideError> {
+        self.contact_waveguide().map(drop)
     }
 
     /// The radiation of elastic waves from the half-space. `None` if its density is not known or it is free to move; under damping, as
-    /// the force then is not the force of the law; and on a plate, which absorbs energy in another way.
+    /// the force then is not the force of the law; and on a plate or rod, which absorbs energy in another way.
     pub fn waves(&self) -> Option<&Waves> {
         self.waves.as_ref().filter(|_| !self.forces.has_dissipation())
     }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::plate::PlateError;
+use super::waveguide::WaveguideError;
 use crate::contact::body::{InvalidInput, OutOfFloatRange};
 use crate::contact::law::LawError;
 use crate::contact::pair::{HollowTooSmall, PairError};
@@ -56,7 +56,7 @@ pub enum ImpactError {
         "the moment of inertia is too small for the steps of friction: {}",
         match least {
             Some(least) => format!("at least {least:.3e} kg m^2 is needed, and a solid sphere has {solid:.3e} kg m^2."),
-            None => "no value is large enough, because the contact lasts too long. Remove angle and spin, or use a thicker plate.".to_owned(),
+            None => "no value is large enough, because the contact lasts too long. Remove angle and spin, or use a thicker plate or rod.".to_owned(),
         }
     )]
     SmallInertia {
@@ -78,11 +78,11 @@ pub enum ImpactError {
         "damping.viscoelastic_time cannot be combined with a strain-rate dependence, because the metal relaxes at maximum compression, and this drop of the force has no finite stiffness. Remove one of the two."
     )]
     ViscoelasticRate,
-    /// An impact on this plate is not possible.
+    /// An impact on this plate or rod is not possible.
     #[error(transparent)]
-    Plate(#[from] PlateError),
+    Waveguide(#[from] WaveguideError),
     /// No closed form for this scene.
-    #[error("method \"closed_form\" is not available with damping or on a plate. Use \"auto\" or \"rk8\".")]
+    #[error("method \"closed_form\" is not available with damping, on a plate or on a rod. Use \"auto\" or \"rk8\".")]
     NoClosedForm,
 }
 

@@ -1,4 +1,4 @@
-//! The forces in addition to the contact law: gravity, damping and a plate that bends. A scene has only the forces that it names.
+//! The forces in addition to the contact law: gravity, damping, and a plate or rod that gives way. A scene has only the forces that it names.
 //!
 //! The sphere moves by m δ'' = −F_c + m g. The contact force F_c is the F of the law without damping, and otherwise follows
 //! [`Damping`]. The contact never pulls. So under viscous damping, and in a viscoelastic contact, the sphere separates where F_c
@@ -15,8 +15,8 @@
 //! tolerance is above 1e-4 and the weight exceeds the force at first yield, it is up to 60 tolerances: such a weight accelerates
 //! a slow sphere to hundreds of times its speed, and the error of the first step grows with the speed.
 
-use super::plate::Plate;
 use super::scales::{FORCE_FACTOR, Scales};
+use super::waveguide::Waveguide;
 use crate::contact::body::InvalidInput;
 use crate::contact::law::unloading::OLD_PEAK_ROUNDING;
 use crate::contact::law::{Surface, Unloading};
@@ -59,14 +59,14 @@ impl Damping {
     }
 }
 
-/// The forces on the sphere in addition to the contact law. Damping acts in the contact; gravity and a plate act on the motion.
+/// The forces on the sphere in addition to the contact law. Damping acts in the contact; gravity and a waveguide act on the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Forces {
     /// Gravity along the approach g \[m/s²\], > 0.
     pub gravity: Option<f64>,
     pub damping: Option<Damping>,
-    /// The plate in place of the half-space.
-    pub plate: Option<Plate>,
+    /// The plate or rod in place of the half-space.
+    pub waveguide: Option<Waveguide>,
     /// The flight before and after the impact, if there is gravity or a drop height. It does not act in the contact.
     pub flight: Option<FreeFlight>,
 }
@@ -91,12 +91,12 @@ impl Forces {
 
     /// True if only the law acts.
     pub fn is_none(&self) -> bool {
-        self.gravity.is_none() && self.damping.is_none() && self.plate.is_none()
+        self.gravity.is_none() && self.damping.is_none() && self.waveguide.is_none()
     }
 
-    /// True if damping or a plate absorbs energy.
+    /// True if damping or a waveguide absorbs energy.
     pub(crate) fn has_dissipation(&self) -> bool {
-        self.plate.is_some() || self.damping.is_some_and(|damping| damping.constant() != 0.0)
+        self.waveguide.is_some() || self.damping.is_some_and(|damping| damping.constant() != 0.0)
     }
 }
 
@@ -108,7 +108,7 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 pub struct ScaledForces {
     /// w = m g/Φ; 0 without gravity.
     pub weight: f64,
-    /// Damping in the contact, and the plate, which gives way by y f' u: θ = y/(5/4) with y = Y Φ/V.
+    /// Damping in the contact, and the waveguide, which gives way by y f' u: θ = y/(5/4) with y = Y Φ/V.
     pub damping: DampingCoefficients,
 }
 
@@ -122,7 +122,7 @@ impl ScaledForces {
         self.weight == 0.0 && self.is_conservative()
     }
 
-    /// True if there is no damping and no plate, so that only the dent absorbs energy.
+    /// True if there is no damping and no waveguide, so that only the dent absorbs energy.
     #[inline]
     pub(in crate::impact) fn is_conservative(&self) -> bool {
         self.damping == DampingCoefficients::NONE

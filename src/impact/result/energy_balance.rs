@@ -23,10 +23,12 @@ pub struct TraceRow {
     pub half_space_indentation: f64,
     /// δ' \[m/s\]: positive into the half-space, negative during the rebound.
     pub speed: f64,
-    /// Speed of the centre of the sphere \[m/s\], the sum of δ' and the speed of the plate; `None` without a plate.
+    /// Speed of the centre of the sphere \[m/s\], the sum of δ' and the speed of the plate or rod; `None` without them.
     pub sphere_speed: Option<f64>,
     /// The contact force \[N\]: F of the law and damping.
     pub force: f64,
+    /// F/A \[Pa\] at the end of a rod; `None` without a rod.
+    pub rod_stress: Option<f64>,
     /// F of the law alone \[N\], if there is damping.
     pub elastic_force: Option<f64>,
     pub branch: Branch,
@@ -37,8 +39,9 @@ pub struct TraceRow {
     pub energy_balance_error: f64,
 }
 
-/// The energy balance of one impact, in units of Φ L: kinetic + stored + lost in dent and drag − m g δ = ½ m v². On a plate its
-/// "kinetic" and "lost" differ from the energies of sphere and plate, which [`crate::impact::problem::plate`] defines; their sum is equal.
+/// The energy balance of one impact, in units of Φ L: kinetic + stored + lost in dent and drag − m g δ = ½ m v². On a waveguide
+/// its "kinetic" and "lost" differ from the energies of sphere and waveguide, which [`crate::impact::problem::waveguide`] defines; their
+/// sum is equal.
 pub(in crate::impact) struct EnergyBalance<'a> {
     contact: &'a Contact,
     case: &'a ScaledImpact<'a>,
@@ -71,11 +74,11 @@ impl<'a> EnergyBalance<'a> {
         self.balance_error(end_speed, self.input_energy + stored, loss, x)
     }
 
-    /// Kinetic and elastic energy at the end of the contact. On a plate the sphere moves with the plate.
+    /// Kinetic and elastic energy at the end of the contact. The sphere moves with its plate or rod.
     pub(in crate::impact) fn remaining_energy(&self) -> f64 {
         let ScaledResult { unloading, end_indentation: x, end_speed, .. } = *self.outcome;
         let force = unloading.force_at_elastic_approach(x - self.case.ground.deepest_state(&unloading.peak).residual());
-        let speed = end_speed + self.case.plate.map_or(0.0, |plate| plate.mobility * force);
+        let speed = end_speed + self.case.waveguide.map_or(0.0, |waveguide| waveguide.mobility * force);
         kinetic_energy(speed) + unloading.stored_energy(x)
     }
 
@@ -112,8 +115,12 @@ impl<'a> EnergyBalance<'a> {
             sphere_indentation,
             half_space_indentation: indentation - sphere_indentation,
             speed: speed * scales.speed,
-            sphere_speed: self.case.plate.map(|plate| (speed + plate.mobility * force) * scales.speed),
+            sphere_speed: self.case.waveguide.map(|waveguide| (speed + waveguide.mobility * force) * scales.speed),
             force: total_force * scales.units.force,
+            rod_stress: self.case.waveguide.and_then(|waveguide| {
+                let rod = waveguide.target.guide.rod()?;
+                Some(total_force * scales.units.force / rod.cross_section())
+            }),
             elastic_force: self.contact.forces().damping.map(|_| force * scales.units.force),
             branch,
             friction: None,

@@ -53,7 +53,7 @@ impl Accuracy {
     }
 }
 
-/// Additional results under gravity, under damping, or on a plate. SI units.
+/// Additional results under gravity, under damping, or on a plate or rod. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForcesResult {
     pub fate: ImpactEnd,
@@ -71,7 +71,7 @@ pub struct ForcesResult {
     pub stored_at_separation: Option<f64>,
     /// Kinetic and elastic energy \[J\] where the run of a captured sphere ends.
     pub remaining_energy: Option<f64>,
-    /// m g times the displacement of the centre of the sphere since first contact \[J\]: its indentation, and the plate.
+    /// m g times the displacement of the centre of the sphere since first contact \[J\]: its indentation, and the displacement of a plate or rod.
     pub gravity_work: Option<f64>,
 }
 
@@ -87,7 +87,7 @@ impl ForcesResult {
         let (length, energy) = (scales.units.length, scales.units.energy());
         let is_captured = outcome.end == ImpactEnd::Captured;
         let lifts_off = !is_captured && forces.damping.can_lift_off();
-        let moved = row.plate.map_or(0.0, |plate| plate.displacement / length);
+        let moved = row.waveguide.map_or(0.0, |waveguide| waveguide.displacement / length);
         let sunk = outcome.end_indentation - ground.first_contact() + moved;
         let at_rest = || forces.static_equilibrium(*ground, &outcome.unloading).indentation * length;
         let stored = || outcome.unloading.stored_energy(outcome.end_indentation) * energy;
@@ -137,7 +137,7 @@ pub struct Impact {
     pub stats: SolverStats,
     /// Error against the closed form; NaN if there is no closed form.
     pub accuracy: Accuracy,
-    /// End, losses and work under gravity or damping or on a plate, if the scene names them.
+    /// End, losses and work under gravity, damping, or on a plate or rod, if the scene names them.
     pub forces_result: Option<ForcesResult>,
     /// The times in fixed steps, by [`Method::Verlet`].
     pub fixed_steps: Option<FixedSteps>,

@@ -5,3 +5,4 @@ pub mod impact;
 pub mod row;
 pub mod subsurface;
 pub(in crate::impact) mod warning;
+pub mod waveguide;

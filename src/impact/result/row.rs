@@ -9,12 +9,11 @@ use crate::impact::oblique::Rebound;
 use crate::impact::problem::adhesion::AdhesionResult;
 use crate::impact::problem::contact::{Contact, StrainRateResult};
 use crate::impact::problem::error::ImpactError;
-use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::peening::PeenedSurface;
-use crate::impact::problem::plate::ScaledPlate;
-use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy};
+use crate::impact::problem::waveguide::WaveguideKind;
 use crate::impact::problem::waves;
 use crate::impact::result::subsurface::Subsurface;
+use crate::impact::result::waveguide::WaveguideResult;
 use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::closed_form;
 use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
@@ -50,12 +49,12 @@ pub struct ImpactRow {
     /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
     pub plastic_fraction: f64,
     /// Fraction of the energy that is radiated as elastic waves \[1\], to first order and without gravity. `None` if the density of the
-    /// half-space is not known, under damping or on a plate, and for a sphere that does not separate.
+    /// half-space is not known, under damping, on a plate or rod, and for a sphere that does not separate.
     pub wave_loss_fraction: Option<f64>,
-    /// The result with adhesion. `None` without a work of adhesion, for a sphere released at rest, in a viscoelastic contact and on a
-    /// plate.
+    /// The result with adhesion. `None` without a work of adhesion, for a sphere released at rest, in a viscoelastic contact, and on a
+    /// plate or rod.
     pub adhesion: Option<AdhesionResult>,
-    pub plate: Option<PlateResult>,
+    pub waveguide: Option<WaveguideResult>,
     /// Strain rate and factors of strength; `None` without a strain-rate dependence, and for an impact that turned in a dent.
     pub strain_rate_result: Option<StrainRateResult>,
     /// Speed \[m/s\] of a free target after the impact, normal to the surface.
@@ -69,46 +68,6 @@ pub struct ImpactRow {
     pub peened: Option<PeenedSurface>,
     /// The state below the dent, if asked for; `None` without a dent, and if the sphere yields too.
     pub subsurface: Option<Subsurface>,
-}
-
-/// The additional results of an impact on a plate; [`crate::impact::problem::plate`] has the equations. SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PlateResult {
-    /// λ \[1\].
-    pub zener_number: f64,
-    /// X \[1\]: number of plate thicknesses that a wave travels in the contact time on a half-space.
-    pub wave_transits: f64,
-    /// Energy in the plate \[J\] at separation, or at the end of the run of a captured sphere.
-    pub energy: f64,
-    /// Displacement of the plate at that time \[m\].
-    pub displacement: f64,
-    /// 2 √(c t_c) \[m\]: bending waves return in time from an edge that is nearer; infinite for a captured sphere.
-    pub wave_reach: f64,
-}
-
-impl PlateResult {
-    /// The results from an outcome; `contact_time` \[s\] may be infinite.
-    fn from_scaled(case: &ScaledImpact, outcome: &ScaledResult, contact_time: f64) -> Option<Self> {
-        let ScaledPlate { plate: under, mobility: y, zener_number, wave_transits } = case.plate?;
-        let ScaledImpact { scales, ground, q, forces: ScaledForces { weight, .. }, .. } = *case;
-        let ScaledResult { unloading, end_indentation, end_speed: u, .. } = outcome;
-        // the run of a captured sphere ends where the contact still has a force
-        let f = match outcome.end {
-            ImpactEnd::Separated => 0.0,
-            ImpactEnd::Captured => {
-                unloading.force_at_elastic_approach(end_indentation - ground.deepest_state(&unloading.peak).residual())
-            }
-        };
-        let moved = y * (weight * outcome.contact_time + (q - u - y * f) / FORCE_FACTOR);
-        let energy = outcome.loss - y * f * u / FORCE_FACTOR - kinetic_energy(y * f) + weight * moved;
-        Some(Self {
-            zener_number,
-            wave_transits,
-            energy: energy * scales.units.energy(),
-            displacement: moved * scales.units.length,
-            wave_reach: under.wave_reach(contact_time),
-        })
-    }
 }
 
 /// Kinetic energy at first contact \[J\]. A sphere released at rest has the kinetic energy 0, which is no underflow.
@@ -231,7 +190,7 @@ impl ImpactRow {
                     contact.adhesion_result(work, [speed, rebound], (residual > 0.0).then_some(&dent))
                 },
             ),
-            plate: PlateResult::from_scaled(case, outcome, contact_time),
+            waveguide: WaveguideResult::from_scaled(case, outcome, contact_time),
             target_speed: contact.speeds_after(speed, restitution).1,
             rebound_height: rebound_height(contact, speed, restitution, wave_loss_fraction).filter(|_| separates),
             strain_rate_result: contact.strain_rate_result.filter(|_| law.is_some()),
@@ -271,9 +230,20 @@ impl ImpactRow {
         self.kinetic_in > 0.0
     }
 
-    /// Fraction of the kinetic energy that the plate absorbs \[1\].
-    pub fn plate_loss_fraction(&self) -> Option<f64> {
-        self.plate.filter(|_| self.has_speed()).map(|plate| plate.energy / self.kinetic_in)
+    /// The results of a waveguide of this kind, if the target is one.
+    pub fn waveguide_of(&self, kind: WaveguideKind) -> Option<&WaveguideResult> {
+        self.waveguide.as_ref().filter(|waveguide| waveguide.guide.kind() == kind)
+    }
+
+    /// F_m/A \[Pa\], if the target is a rod.
+    pub fn rod_peak_stress(&self) -> Option<f64> {
+        let rod = *self.waveguide.as_ref()?.guide.rod()?;
+        Some(self.peak_force / rod.cross_section())
+    }
+
+    /// Fraction of the kinetic energy that a waveguide of this kind absorbs \[1\].
+    pub fn waveguide_loss_fraction(&self, kind: WaveguideKind) -> Option<f64> {
+        self.waveguide_of(kind).filter(|_| self.has_speed()).map(|waveguide| waveguide.energy / self.kinetic_in)
     }
 
     /// (e v)²/v² \[1\]: recovered fraction of the kinetic energy.

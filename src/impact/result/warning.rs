@@ -54,10 +54,16 @@ pub enum WarningKind {
     /// A contact as wide as the plate is thick.
     WideContactOnPlate,
     NearEdge,
-    /// A plate that absorbs nearly all energy, at a Zener's number above the measured ones.
-    InelasticPlate,
+    /// A plate or rod that absorbs nearly all energy, at a Zener's number above the measured ones.
+    InelasticWaveguide,
     /// A plate that bends so much that it stretches.
     DeepPlate,
+    /// A pulse in a rod that is too short for a one-dimensional wave.
+    ShortPulseInRod,
+    /// A contact that is wide against the end of a rod.
+    WideContactOnRod,
+    /// A rod whose far end reflects the wave during the contact.
+    ShortRod,
     /// Damping so strong that hardly any energy is recovered, as from a mistaken unit.
     StiffDamping,
     /// More energy is recovered than the sphere had.

@@ -2,7 +2,9 @@
 
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::flight::trajectory::Flight;
-use crate::impact::{Approach, CrossMotion, ForcesResult, Impact, ImpactEnd, Method, TangentialMotion, Warning};
+use crate::impact::{
+    Approach, CrossMotion, ForcesResult, Impact, ImpactEnd, Method, TangentialMotion, Warning, WaveguideKind,
+};
 use crate::numerics::power::nan_max;
 use crate::strings::names::named_enum;
 
@@ -121,9 +123,9 @@ impl SeriesImpact {
         self.impact.forces_result.as_ref().and_then(value)
     }
 
-    /// Energy in the plate at the end of the impact \[J\], if there is a plate.
-    pub fn plate_energy(&self) -> Option<f64> {
-        self.impact.row.plate.map(|plate| plate.energy)
+    /// Energy in a waveguide of this kind at the end of the impact \[J\], if the target is one.
+    pub fn waveguide_energy(&self, kind: WaveguideKind) -> Option<f64> {
+        self.impact.row.waveguide_of(kind).map(|waveguide| waveguide.energy)
     }
 
     /// True if the sphere does not separate: without damping F_m ≤ (n + 1) m g.

@@ -74,7 +74,7 @@ impl Default for Solver {
 /// Tolerance of the run that computes the trace of a closed form, or its times under gravity.
 pub(super) const TRACE_TOLERANCE: f64 = 1e-13;
 
-/// The contact time of an impact at q = v/V without damping and plate.
+/// The contact time of an impact at q = v/V without damping, plate and rod.
 pub(super) fn undamped_contact_time(ground: Surface, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
     let exact = closed_form::solve_conservative(
         ground,

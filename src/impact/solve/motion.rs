@@ -12,7 +12,7 @@
 //! cross, so all later oscillations stay inside this one and the sphere remains captured. An overdamped sphere (ζ from 0.9 on)
 //! creeps up to its static indentation, and its run ends within one part in a thousand of it.
 //!
-//! On a plate the momentum of the sphere stays constant when the force drops from f_1 to f_2, as in the relaxation of the metal:
+//! On a plate or rod the momentum of the sphere stays constant when the force drops from f_1 to f_2, as in the relaxation of the metal:
 //!
 //! ```text
 //! p = u + y f   =>   u rises by y (f_1 − f_2)
@@ -119,7 +119,7 @@ impl<I: Integrator> Motion<'_, '_, I> {
         }
     }
 
-    /// The legs along the unloading branch: a little further in, if the force dropped on a plate, and back. Returns whether the
+    /// The legs along the unloading branch: a little further in, if the force dropped on a plate or rod, and back. Returns whether the
     /// sphere separates.
     fn unload(&mut self, unloading: &Unloading) -> Result<ImpactEnd, IntegrationError> {
         let Self { ground, q, forces, .. } = *self;
@@ -196,7 +196,7 @@ fn initial_state(ground: Surface, touch: MotionState, forces: &ScaledForces) -> 
     MotionState { time: speed / pull, distance, speed, loss: 0.0 }
 }
 
-/// The speed and the loss after the force drops by `fall`. Only a plate gives way.
+/// The speed and the loss after the force drops by `fall`. Only a plate or rod gives way.
 fn give_way(at: &mut MotionState, fall: f64, drag: DampingCoefficients) {
     let gained = FORCE_FACTOR * drag.plate * fall;
     if gained != 0.0 {

@@ -19,11 +19,11 @@ pub(super) struct FixedStepContact<'a> {
     pub(super) touch: f64,
     deepest: f64,
     unloading: Option<Unloading>,
-    /// The phase after the metal relaxed on a plate, in which the bodies approach a little further along the unloading branch.
+    /// The phase after the metal relaxed on a plate or rod, in which the bodies approach a little further along the unloading branch.
     pub(super) after_relaxation: AfterRelaxation,
 }
 
-/// The phase of the motion since the metal relaxed on a plate.
+/// The phase of the motion since the metal relaxed on a plate or rod.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum AfterRelaxation {
     NotYet,
@@ -45,8 +45,8 @@ impl<'a> FixedStepContact<'a> {
         }
     }
 
-    /// The speed that the sphere gains when the metal relaxes on a plate: the force falls, and the momentum stays (`motion.rs`).
-    /// `speed` is the speed against the plate.
+    /// The speed that the sphere gains when the metal relaxes on a plate or rod: the force falls, and the momentum stays (`motion.rs`).
+    /// `speed` is the speed against the plate or rod.
     fn relaxation_speed(&mut self, speed: f64) -> f64 {
         if speed >= 0.0 || self.drag.plate == 0.0 || !self.ground.law.relaxes() {
             return 0.0;

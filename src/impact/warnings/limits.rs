@@ -34,5 +34,9 @@ pub const MIN_WAVE_TRANSITS: f64 = 2.0;
 pub const MAX_CONTACT_OVER_THICKNESS: f64 = 0.15;
 /// Deflection over plate thickness, from which on a plate also stretches.
 pub const MAX_DEFLECTION_OVER_THICKNESS: f64 = 0.3;
+/// Rod diameters that a wave travels during the contact, from which on the wave in a rod is one-dimensional.
+pub const MIN_ROD_TRANSITS: f64 = 4.0;
+/// Contact radius over the radius of the rod, from which on the end of a rod is not as stiff under the sphere as a half-space.
+pub const MAX_CONTACT_OVER_ROD_RADIUS: f64 = 0.25;
 /// The largest Zener's number up to which contact times on plates were measured, and agree with his theory.
 pub const MAX_MEASURED_ZENER_NUMBER: f64 = 1.5;

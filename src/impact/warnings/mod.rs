@@ -5,6 +5,7 @@ pub mod limits;
 mod of_balls;
 mod restitution;
 mod run;
+mod waveguide;
 
 use std::f64::consts::{FRAC_PI_4, PI};
 

@@ -4,18 +4,16 @@ use std::f64::consts::PI;
 
 use super::bodies::{flow_warnings, ignored_strength, material_warnings, yielding_warning};
 use super::limits::{
-    ADHESION_RANGE, MAX_CONTACT_OVER_THICKNESS, MAX_DEFLECTION_OVER_THICKNESS, MAX_MEASURED_ZENER_NUMBER,
-    MAX_SOFT_RADIUS_RATIO, MAX_UNEQUAL_BALLS_RATIO, MIN_POISSONS_RATIO, MIN_THICK_PLATE_TRANSITS,
-    MIN_THIN_PLATE_TRANSITS, MIN_TRANSITS, MIN_WAVE_TRANSITS, WORK_OF_ADHESION,
+    ADHESION_RANGE, MAX_SOFT_RADIUS_RATIO, MAX_UNEQUAL_BALLS_RATIO, MIN_POISSONS_RATIO, MIN_TRANSITS, WORK_OF_ADHESION,
 };
+use super::waveguide::waveguide_warnings;
 use crate::contact::body::Support;
 use crate::contact::law::{Law, UnloadingRule};
 use crate::contact::pair::Pair;
 use crate::impact::problem::contact::Contact;
-use crate::impact::problem::plate::{Plate, PlateTheory};
-use crate::impact::result::row::{ImpactRow, PlateResult};
+use crate::impact::result::row::ImpactRow;
 use crate::impact::result::warning::{Warning, WarningKind};
-use crate::units::{Dimension, format_input, format_result};
+use crate::units::{Dimension, format_result};
 
 /// The warnings that concern e in an impact with this speed normal to the surface \[m/s\], this peak mean pressure \[Pa\] and this
 /// result.
@@ -32,9 +30,7 @@ pub(super) fn restitution_warnings(contact: &Contact, speed: f64, pressure: f64,
     warnings.extend(negative_ratio_warning(contact, row));
     warnings.extend(short_contact_warning(contact, row.contact_time));
     warnings.extend(adhesion_warning(contact, speed));
-    if let (Some(plate), Some(on_plate)) = (&contact.forces().plate, &row.plate) {
-        warnings.extend(plate_warnings(plate, on_plate, row.peak_contact_radius));
-    }
+    warnings.extend(row.waveguide.iter().flat_map(|result| waveguide_warnings(result, row.peak_contact_radius)));
     warnings
 }
 
@@ -148,76 +144,12 @@ fn adhesion_warning(contact: &Contact, speed: f64) -> Option<Warning> {
     Warning::new_if(is_slow, WarningKind::Adhesion, sticking / speed, || {
         if contact.adhesion_work().is_some() {
             format!(
-                "restitution does not contain adhesion, and is too high. For a work of adhesion of {of_work} an elastic sphere sticks below {sticks}; above {negligible} the error of e is less than 1 %. Use restitution_with_adhesion."
+                "restitution does not contain adhesion, and is too high. For a work of adhesion of {of_work} an elastic sphere sticks below {sticks}; above {negligible} the error of e is 1 % or less. Use restitution_with_adhesion."
             )
         } else {
             format!(
-                "e is too high, because adhesion is not modelled. For a work of adhesion of {of_work} the sphere sticks below {sticks}; above {negligible} the error of e is less than 1 %. Give adhesion.work for the restitution with adhesion."
+                "e is too high, because adhesion is not modelled. For a work of adhesion of {of_work} the sphere sticks below {sticks}; above {negligible} the error of e is 1 % or less. Give adhesion.work for the restitution with adhesion."
             )
         }
     })
-}
-
-/// The warnings for a plate, hit with this contact radius \[m\].
-fn plate_warnings(plate: &Plate, on_plate: &PlateResult, contact_radius: f64) -> impl Iterator<Item = Warning> + use<> {
-    let PlateResult { zener_number, wave_transits, displacement, wave_reach, .. } = *on_plate;
-    let thickness = plate.thickness;
-    let (least, beyond) = match plate.theory {
-        PlateTheory::Thick => {
-            (MIN_THICK_PLATE_TRANSITS, "by 8 % at 5 thicknesses and by a third at 3. Take e as an upper limit")
-        }
-        PlateTheory::Zener if wave_transits < MIN_THICK_PLATE_TRANSITS => {
-            (MIN_THIN_PLATE_TRANSITS, "by half or more. Use half_space.plate = \"thick\"")
-        }
-        PlateTheory::Zener => (
-            MIN_THIN_PLATE_TRANSITS,
-            "by a fifth at 10 thicknesses and by half at 5. Use half_space.plate = \"thick\", whose loss is within 8 %",
-        ),
-    };
-    let is_thick = wave_transits < MIN_WAVE_TRANSITS;
-    let thick = Warning::new_if(is_thick, WarningKind::ThickPlate, -wave_transits, || {
-        format!(
-            "The plate model does not apply. During the contact a wave travels only {wave_transits:.2} plate thicknesses; below {MIN_WAVE_TRANSITS} the plate acts as a half-space. Remove half_space.thickness."
-        )
-    });
-    let between = Warning::new_if(
-        !is_thick && wave_transits < least,
-        WarningKind::ModeratelyThickPlate,
-        -wave_transits,
-        || {
-            format!(
-                "e is too high. During the contact a wave travels only {wave_transits:.1} plate thicknesses, and this plate model requires {least}; the plate absorbs more energy than computed, {beyond}."
-            )
-        },
-    );
-    let ratio = contact_radius / thickness;
-    let wide = Warning::new_if(ratio > MAX_CONTACT_OVER_THICKNESS, WarningKind::WideContactOnPlate, ratio, || {
-        format!(
-            "The result is an estimate. Contact radius / plate thickness = {ratio:.3} exceeds {MAX_CONTACT_OVER_THICKNESS}: the local stiffness of the plate differs by more than 10 % from a half-space, and the plate may yield through its thickness."
-        )
-    });
-    let near = plate.edge_distance.filter(|distance| *distance < wave_reach).map(|distance| {
-        let [edge, far] = [distance, wave_reach].map(|length| format_input(length, Dimension::Length));
-        let text = format!(
-            "The plate loss is uncertain by +-25 %. Bending waves return from the edge during the contact (half_space.edge_distance = {edge}, required {far})."
-        );
-        Warning::new(WarningKind::NearEdge, wave_reach / distance, text)
-    });
-    let ratio = displacement / thickness;
-    let deep = Warning::new_if(ratio > MAX_DEFLECTION_OVER_THICKNESS, WarningKind::DeepPlate, ratio, || {
-        format!(
-            "The plate is stiffer than computed. The plate moves by {ratio:.2} times its thickness; above {MAX_DEFLECTION_OVER_THICKNESS} it also stretches."
-        )
-    });
-    let little = Warning::new_if(
-        zener_number > MAX_MEASURED_ZENER_NUMBER,
-        WarningKind::InelasticPlate,
-        zener_number,
-        || {
-            format!(
-                "e is close to 0 and very sensitive to the thickness. Zener's number {zener_number:.2} exceeds {MAX_MEASURED_ZENER_NUMBER}, up to which measured contact times confirm the plate model."
-            )
-        },
-    );
-    [thick, between, wide, near, deep, little].into_iter().flatten()
 }

@@ -1,6 +1,7 @@
 //! Warnings about a run: its error is too large, or it creates energy.
 
 use crate::impact::problem::contact::Contact;
+use crate::impact::problem::waveguide::WaveguideKind;
 use crate::impact::result::impact::Impact;
 use crate::impact::result::warning::{Warning, WarningKind};
 use crate::impact::solve::{Method, Solver};
@@ -9,7 +10,7 @@ use crate::numerics::power::nan_max;
 /// A restitution above 1 by more than this is shown as more than 1 by a number with three digits.
 const SHOWN_GAIN: f64 = 5e-4;
 
-/// The warning of an impact that gains energy: e, or the fraction of energy that a plate absorbs, exceeds 1 by more than rounding
+/// The warning of an impact that gains energy: e, or the fraction of energy that a plate or rod absorbs, exceeds 1 by more than rounding
 /// and the error of the run, or by so much that a number with three digits shows it. By the work of gravity alone a sphere that
 /// sinks into its dent may leave faster than it came.
 pub(super) fn energy_gain_warning(contact: &Contact, impact: &Impact, method: Method) -> Option<Warning> {
@@ -18,10 +19,13 @@ pub(super) fn energy_gain_warning(contact: &Contact, impact: &Impact, method: Me
     // the error of the balance is relative to all the energy put in, e to the kinetic energy of the impact
     let sunk = contact.mass() * gravity * impact.row.peak_indentation;
     let error = if known.is_nan() { balance_error * (1.0 + sunk / impact.energy.kinetic_in) } else { known };
-    let plate = impact.row.plate_loss_fraction().filter(|share| *share > 1.0 && method == Method::Verlet);
-    let (name, share) = plate.map_or(("e is too high: restitution", impact.row.restitution), |share| {
-        ("The plate loss is too high: its fraction", share)
-    });
+    let of_kind = |kind| impact.row.waveguide_loss_fraction(kind).map(|share| (kind, share));
+    let absorbed = of_kind(WaveguideKind::Plate).or_else(|| of_kind(WaveguideKind::Rod));
+    let (name, share) = match absorbed.filter(|(_, share)| *share > 1.0 && method == Method::Verlet) {
+        Some((WaveguideKind::Plate, share)) => ("The plate loss is too high: its fraction", share),
+        Some((WaveguideKind::Rod, share)) => ("The rod loss is too high: its fraction", share),
+        None => ("e is too high: restitution", impact.row.restitution),
+    };
     let is_by_weight = gravity > 0.0 && impact.energy.plastic.is_none_or(|plastic| plastic >= 0.0);
     let is_gain = share > 1.0 + (1e-12 + 10.0 * error).min(SHOWN_GAIN) && !is_by_weight;
     Warning::new_if(is_gain, WarningKind::EnergyGain, share, || {

@@ -57,7 +57,7 @@ const char *plm_impact_version(void);
 /**
  * The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and [impact] may be
  * left out. A strength that depends on the strain rate is that of the speed of [impact], which is then needed. Gravity,
- * damping, plates, and tables that ask for more than one impact ([sweep], ...) are refused. Two balls are a scenario with
+ * damping, plates, rods, and tables that ask for more than one impact ([sweep], ...) are refused. Two balls are a scenario with
  * half_space.radius and half_space.mass = "ball". Paths of files in the text are relative to the working directory.
  *
  * Returns NULL for a bad scenario, and writes the reason into error: at most length bytes with the final zero.

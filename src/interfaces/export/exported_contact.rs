@@ -1,4 +1,4 @@
-//! The part of a scenario that a code for many spheres takes over: the bodies with plate and damping, and the speed. That code
+//! The part of a scenario that a code for many spheres takes over: the bodies with plate or rod and damping, and the speed. That code
 //! has its own way to compute all other forces and the path of the sphere.
 
 use crate::contact::body::Support;

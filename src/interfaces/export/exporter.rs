@@ -91,7 +91,7 @@ pub(super) struct Exporter<'a> {
     pub scenario: &'a Scenario,
     pub contact: &'a ExportedContact,
     pub impact: &'a Impact,
-    /// The restitution that belongs into the code: with elastic waves, if the half-space has a density and is no plate.
+    /// The restitution that belongs into the code: with elastic waves, if the half-space has a density and is no plate and no rod.
     pub e: f64,
     pub command: &'a str,
 }
@@ -230,9 +230,9 @@ impl Exporter<'_> {
     fn restitution_note(&self) -> String {
         let contact = &self.contact.contact;
         let damped = if contact.forces().damping.is_some() { " and [damping]" } else { "" };
-        if let Some(plate) = contact.forces().plate {
-            let thickness = format_input(plate.thickness, Dimension::Length);
-            return format!("e includes the energy that a plate of {thickness} absorbs{damped}");
+        if let Some(guide) = contact.forces().waveguide {
+            let (name, size) = (guide.kind().name(), format_input(guide.size(), Dimension::Length));
+            return format!("e includes the energy that a {name} of {size} absorbs{damped}");
         }
         if self.impact.row.restitution_with_waves().is_some() {
             let alone = self.impact.row.restitution;

@@ -16,6 +16,7 @@ use super::impact::PyImpact;
 use crate::error::Error;
 use crate::impact;
 use crate::interfaces::export::header::header_files;
+use crate::report::run::impact::compute_pulse;
 use crate::report::run::{no_result_error, rate_dependent_contact, warning_texts};
 use crate::report::text::overview::overview;
 use crate::scenario::keys::interval::expected_notes;
@@ -73,6 +74,15 @@ impl PyContact {
         let normal = self.input.approach_at(speed).normal;
         let own = self.inner.has_rate().then(|| self.inner.at_speed(normal)).transpose();
         own.map_err(|reason| no_result_error(&self.scenario, &reason))
+    }
+
+    pub(super) fn compute_pulse(
+        &self,
+        own: Option<&impact::Contact>,
+        speed: f64,
+    ) -> Result<Option<impact::Pulse>, Error> {
+        let normal = self.input.approach_at(speed).normal;
+        compute_pulse(&self.scenario, &self.input, own.unwrap_or(&self.inner), normal)
     }
 
     pub(super) fn compute_impact(

@@ -37,6 +37,8 @@ pub struct PyImpact {
     interval: OnceLock<Option<RestitutionInterval>>,
     /// The interval of the dent, likewise.
     dent_interval: OnceLock<Option<DentInterval>>,
+    /// The pulse, if the scenario asks for one.
+    pulse: Option<impact::Pulse>,
     /// Notes for the user on the strength and on the exponent behind e.
     pub(super) notes: Vec<String>,
     /// The impact with a trace, if `result` has none; and the trace as an array. Each is computed when it is asked for first.
@@ -54,9 +56,10 @@ impl PyImpact {
         let holder = contact.get();
         let computed = || -> Result<_, Error> {
             let own = holder.at_rate_of(speed)?;
-            Ok((holder.compute_impact(own.as_ref(), speed, samples)?, own))
+            let pulse = holder.compute_pulse(own.as_ref(), speed)?;
+            Ok((holder.compute_impact(own.as_ref(), speed, samples)?, pulse, own))
         };
-        let (result, own) = py.detach(computed).map_err(exception)?;
+        let (result, pulse, own) = py.detach(computed).map_err(exception)?;
         let notes = strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), result.row.has_dent(), &[]);
         Ok(Self {
             contact,
@@ -66,6 +69,7 @@ impl PyImpact {
             samples,
             interval: OnceLock::new(),
             dent_interval: OnceLock::new(),
+            pulse,
             notes,
             traced: OnceLock::new(),
             trace: OnceLock::new(),
@@ -82,7 +86,15 @@ impl PyImpact {
         let has_dent_interval = row.peened.is_some() && interval.is_some();
         let of_dent = || dent_interval(&contact.input, own, self.speed, row).filter(|_| has_dent_interval);
         let dent_interval = self.dent_interval.get_or_init(of_dent).as_ref();
-        SingleImpact { contact: own, impact: &self.result, interval, dent_interval, notes: &self.notes, drop_height }
+        SingleImpact {
+            contact: own,
+            impact: &self.result,
+            interval,
+            dent_interval,
+            notes: &self.notes,
+            drop_height,
+            pulse: self.pulse.as_ref(),
+        }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.

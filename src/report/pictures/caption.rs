@@ -114,6 +114,7 @@ pub(crate) fn path_words(path: &str) -> String {
     let path = match path {
         "impact.speed" | "impact.angle" => path,
         "half_space.thickness" => "plate.thickness",
+        "half_space.rod_diameter" => "rod.diameter",
         path => path.trim_start_matches("impact."),
     };
     let law = path.strip_prefix("law.").and_then(|rest| rest.split_once('.'));

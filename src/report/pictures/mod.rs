@@ -12,6 +12,7 @@ mod loops;
 pub mod path;
 mod posterior;
 mod process_window;
+mod pulse;
 pub mod series;
 pub mod sweep;
 pub(crate) mod traces;
@@ -25,3 +26,4 @@ pub use friction::friction;
 
 pub use history::history;
 pub use indentation::indentation;
+pub use pulse::{pulse, spectrum};

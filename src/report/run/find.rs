@@ -126,6 +126,7 @@ fn impact_at(scenario: &Scenario) -> Result<Impact, Error> {
         impact: &impact,
         interval: interval.as_ref(),
         dent_interval: None,
+        pulse: None,
         notes: &notes,
         drop_height: input.drop_height(),
     };

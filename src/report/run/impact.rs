@@ -3,13 +3,13 @@
 use super::outcome::{self, Outcome, RunOptions, output_file, warning_texts, with_summary};
 use crate::error::Error;
 use crate::files::{MethodProvenance, Provenance};
-use crate::impact::{Contact, Impact, ImpactError, Method};
+use crate::impact::{Contact, Impact, ImpactError, Method, Pulse, PulseError, Warning};
 use crate::report::pictures;
 use crate::report::pictures::{caption, with_captions};
 use crate::report::text::check::contact_fields;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
-use crate::report::text::{impact_text, trace_csv};
+use crate::report::text::{impact_text, pulse_csv, spectrum_csv, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::to_fields;
 use crate::scenario::input::Input;
@@ -48,8 +48,28 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
     Provenance { method, ..outcome::provenance(scenario, &input.law(), input.can_yield(), command) }
 }
 
+/// The pulse of an impact at this speed \[m/s\] normal to the surface, if the scenario asks for one; a captured sphere has none.
+pub fn compute_pulse(
+    scenario: &Scenario,
+    input: &Input,
+    contact: &Contact,
+    speed: f64,
+) -> Result<Option<Pulse>, Error> {
+    let Some(request) = input.pulse() else { return Ok(None) };
+    match contact.pulse(speed, &input.solver(), &request) {
+        Ok(pulse) => Ok(Some(pulse)),
+        Err(PulseError::Captured) => Ok(None),
+        Err(PulseError::Impact(reason)) => Err(no_result_error(scenario, &reason)),
+        Err(reason) => Err(scenario.document.refusal("output.pulse.step", reason.to_string())),
+    }
+}
+
 pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
-    let (input, contact, impact) = compute(scenario, options.map(|_| scenario.input().samples()))?;
+    let (input, contact, mut impact) = compute(scenario, options.map(|_| scenario.input().samples()))?;
+    let pulse = compute_pulse(scenario, &input, &contact, input.approach().normal)?;
+    if pulse.is_none() && input.pulse().is_some() {
+        impact.warnings.push(Warning::unused_key("output.pulse", &PulseError::Captured.to_string()));
+    }
     let notes = strength_notes(&input, &contact, impact.row.has_dent(), &[]);
     let Some(options) = options else {
         let (text, checked) = (overview(&input, &contact, &notes), contact_fields(&input, &contact));
@@ -68,14 +88,23 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
         dent_interval: dent_interval.as_ref(),
         notes: &notes,
         drop_height,
+        pulse: pulse.as_ref(),
     };
     let mut files = vec![output_file("trace.csv", trace_csv(&impact)?)];
+    if let Some(pulse) = &pulse {
+        files.push(output_file("pulse.csv", pulse_csv(pulse)?));
+        files.push(output_file("spectrum.csv", spectrum_csv(pulse)?));
+    }
     files.extend(options.pictures.to_files(|| {
         let mut drawn = vec![
             ("force_indentation", pictures::force_indentation(&impact)?),
             ("history", pictures::history(&impact)?),
         ];
         drawn.extend(pictures::friction(&impact).map(|friction| ("friction", friction)));
+        if let Some(pulse) = &pulse {
+            drawn
+                .extend([("pulse", pictures::pulse(&impact, pulse)), ("spectrum", pictures::spectrum(&impact, pulse))]);
+        }
         Ok(with_captions(drawn, &caption))
     })?);
     let files = with_summary(files, provenance, to_fields(&impact_results(), &single), &inputs)?;

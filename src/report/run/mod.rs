@@ -9,7 +9,7 @@ pub mod series;
 pub mod table;
 
 use crate::error::{Error, ErrorKind};
-use crate::impact::{Contact, Forces};
+use crate::impact::{Contact, Forces, WaveguideKind};
 use crate::scenario::input::{Input, OBLIQUE_KEYS};
 use crate::scenario::keys::key;
 pub use crate::scenario::no_result_error;
@@ -40,7 +40,7 @@ const SPHERE_MOTION_ADVICE: &str = "The simulation has path and spin of every sp
 /// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.
 ///
 /// # Errors
-/// [`Error`]: a bad scenario, one with gravity, damping or a plate, and one of another kind than an impact.
+/// [`Error`]: a bad scenario, one with gravity, damping, a plate or a rod, and one of another kind than an impact.
 pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     let kind = scenario.kind()?;
     if kind != Kind::Impact {
@@ -48,14 +48,17 @@ pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
         return Err(scenario.document.refusal(kind.name(), message));
     }
     let (input, contact) = scenario.resolve_bodies()?;
-    let Forces { gravity, damping, plate, .. } = input.forces();
+    let Forces { gravity, damping, waveguide, .. } = input.forces();
+    let is_on = |kind: WaveguideKind| (kind.size_key(), waveguide.is_some_and(|guide| guide.kind() == kind));
+    let [(thickness, is_on_plate), (diameter, is_on_rod)] = [WaveguideKind::Plate, WaveguideKind::Rod].map(is_on);
     let table = "The simulation adds this force itself.";
     let keys = [
         ("gravity", gravity.is_some(), table),
         ("damping", damping.is_some(), table),
         ("air", scenario.document.contains("air"), table),
         ("peening", scenario.document.contains("peening"), "A coverage belongs to an impact and not to a contact."),
-        ("half_space.thickness", plate.is_some(), "The simulation moves the plate itself."),
+        (thickness, is_on_plate, "The simulation moves the plate itself."),
+        (diameter, is_on_rod, "The simulation moves the rod itself."),
         (
             "half_space.mass",
             input.number(key!("half_space.mass")).is_some_and(f64::is_finite),

@@ -6,7 +6,8 @@ use serde_json::{Map, Value};
 use super::inputs::Inputs;
 use crate::error::Error;
 use crate::files::Provenance;
-use crate::impact::Impact;
+use crate::impact::{Impact, Pulse};
+use crate::results::pulse::{pulse_results, spectrum_results};
 use crate::results::{ResultSpec, trace};
 
 /// `summary.json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
@@ -40,6 +41,16 @@ pub fn csv_bytes<T>(columns: &[ResultSpec<T>], rows: impl Iterator<Item = T> + C
 /// The bytes that were written.
 pub fn into_bytes(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, Error> {
     writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
+}
+
+/// `pulse.csv` of one impact.
+pub fn pulse_csv(pulse: &Pulse) -> Result<Vec<u8>, Error> {
+    csv_bytes(&pulse_results(), pulse.samples())
+}
+
+/// `spectrum.csv` of one impact.
+pub fn spectrum_csv(pulse: &Pulse) -> Result<Vec<u8>, Error> {
+    csv_bytes(&spectrum_results(), pulse.lines())
 }
 
 /// `trace.csv` of one impact; only the header for an impact that recorded none.

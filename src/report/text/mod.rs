@@ -18,4 +18,5 @@ pub(crate) mod traces;
 pub mod units;
 
 pub use files::trace_csv;
+pub(crate) use files::{pulse_csv, spectrum_csv};
 pub use terminal::{Detail, impact_text, notes_text};

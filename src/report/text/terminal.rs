@@ -65,11 +65,11 @@ fn mark_doubtful(lines: &mut [Line], impact: &Impact) {
     let has = |kind: WarningKind, size: f64| {
         impact.warnings.iter().any(|warning| warning.kind == kind && warning.size >= size)
     };
-    let is_nearly_0 = has(WarningKind::InelasticPlate, 0.0);
+    let is_nearly_0 = has(WarningKind::InelasticWaveguide, 0.0);
     // the size is the sticking speed over the impact speed
     let sticks = has(WarningKind::Adhesion, 1.0);
     let restitution = impact.row.measured_restitution();
-    let is_small = impact.row.plate.is_some() && restitution < SMALL;
+    let is_small = impact.row.waveguide.is_some() && restitution < SMALL;
     for [name, value, _] in lines {
         match name.as_str() {
             "restitution" if is_nearly_0 => *value = nearly_0(restitution),

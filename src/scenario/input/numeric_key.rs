@@ -10,9 +10,9 @@ use crate::scenario::keys::{ALL_KEYS, KeyId, NUMBER, Part, key};
 /// place in the list of keys, which has all else about it.
 pub type NumericKey = KeyId<NUMBER>;
 
-/// All numeric keys of the scene of an impact, in the order of the file.
+/// All numeric keys of the scene of an impact, in the order of the file. The form of the output does not vary.
 pub static NUMERIC_KEYS: LazyLock<Vec<NumericKey>> = LazyLock::new(|| {
-    let of_impact = ALL_KEYS.iter().enumerate().filter(|(_, key)| key.part != Part::Kind);
+    let of_impact = ALL_KEYS.iter().enumerate().filter(|(_, key)| !matches!(key.part, Part::Kind | Part::Output));
     of_impact.filter_map(|(place, _)| KeyId::new(place)).collect()
 });
 

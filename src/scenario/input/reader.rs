@@ -79,8 +79,11 @@ impl<'f> Reader<'f> {
             let all = known_names(written, known, things);
             let hint = keys_of_this_name(&self.path, written)
                 .unwrap_or_else(|| did_you_mean(written, known.iter().copied(), '`', &all));
-            let way =
-                if self.path.is_empty() && &**written == "plate" { " A plate has `half_space.thickness`." } else { "" };
+            let way = match &**written {
+                "plate" if self.path.is_empty() => " A plate has `half_space.thickness`.",
+                "rod" if self.path.is_empty() => " A rod has `half_space.rod_diameter`.",
+                _ => "",
+            };
             format!("unknown {thing} `{written}`{hint}{way}")
         };
         self.in_table(written, |_| Err(ValueError { span: name.span(), message }));

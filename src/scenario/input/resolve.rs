@@ -11,7 +11,7 @@ use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
     Approach, Contact, CrossMotion, Damping, Forces, ImpactError, MaterialNames, Method, Peening, Plate, PlateTheory,
-    STANDARD_GRAVITY, Solver,
+    PulseRequest, Rod, STANDARD_GRAVITY, Solver, Waveguide,
 };
 use crate::materials::{MaterialEntry, all_materials};
 use crate::results::SUBSURFACE_COLUMNS;
@@ -77,21 +77,24 @@ impl Input {
         is_hard || body.select(law.flow_curves()).is_some() || matches!(law, LawChoice::Hertz(_))
     }
 
-    /// Gravity, damping and the plate.
+    /// Gravity, damping, and the plate or rod.
     pub fn forces(&self) -> Forces {
         let number = |at| self.number(at);
         let viscous = || number(key!("damping.viscous")).map(Damping::Viscous);
         let viscoelastic = || number(key!("damping.viscoelastic_time")).map(Damping::Viscoelastic);
         let hunt_crossley = number(key!("damping.hunt_crossley")).map(Damping::HuntCrossley);
         let damping = hunt_crossley.or_else(viscous).or_else(viscoelastic);
-        let plate = number(key!("half_space.thickness")).map(|thickness| Plate {
-            thickness,
-            edge_distance: number(key!("half_space.edge_distance")),
-            theory: self
-                .word(key!("half_space.plate"))
-                .map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]),
+        let plate = number(key!("half_space.thickness")).map(|thickness| {
+            let theory = self.word(key!("half_space.plate"));
+            let theory = theory.map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]);
+            Waveguide::Plate(Plate { thickness, edge_distance: number(key!("half_space.edge_distance")), theory })
         });
-        Forces { gravity: number(key!("gravity.acceleration")), damping, plate, flight: self.free_flight() }
+        let rod = || {
+            let diameter = number(key!("half_space.rod_diameter"))?;
+            Some(Waveguide::Rod(Rod { diameter, length: number(key!("half_space.rod_length")) }))
+        };
+        let waveguide = plate.or_else(rod);
+        Forces { gravity: number(key!("gravity.acceleration")), damping, waveguide, flight: self.free_flight() }
     }
 
     /// The flight of the sphere, if there is gravity or a height.
@@ -247,6 +250,12 @@ impl Input {
     }
 
     /// Evenly spaced rows of the trace.
+    /// The request of a pulse, if there is one.
+    pub fn pulse(&self) -> Option<PulseRequest> {
+        let step = self.number(key!("output.pulse.step"))?;
+        Some(PulseRequest { step, padding: self.count(key!("output.pulse.padding")) })
+    }
+
     pub fn samples(&self) -> usize {
         self.count(key!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES)
     }
@@ -298,7 +307,7 @@ impl Input {
             }
         }
         input.set_default_method(self.solver().method);
-        let is_on_plate = self.forces().plate.is_some();
+        let is_on_plate = self.number(key!("half_space.thickness")).is_some();
         let rates = self.rates();
         let is_raised = |path: &str| {
             Body::ALL.iter().zip(rates).any(|(body, rate)| path.starts_with(body.rate_table()) && rate.is_some())

@@ -7,7 +7,7 @@ use super::key_spec::ValueForm::{
 use super::quantity::{
     ACCELERATION, ANGLE, AREA, AREA_FACTOR, COVERAGE, CURVATURE, DENSITY, DEVIATION, DRAG, DROP_HEIGHT, EXPONENT,
     FACTOR, FORCE, FRICTION, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, IMPACTS,
-    INDENTATION, LEEB, LENGTH, LOAD, MASS, MASS_FLOW, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO,
+    INDENTATION, LEEB, LENGTH, LOAD, MASS, MASS_FLOW, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, PADDING, POISSONS_RATIO,
     RATE_EXPONENT, RATE_SENSITIVITY, RESTITUTION, SAMPLES, SATURATION, SHARE, SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN,
     STEPS, STRAIN_RATE, STRENGTH, TIME, TOLERANCE, TRANSITION_RATIO, VISCOELASTIC_TIME, VISCOSITY, VISCOUS,
     WORK_OF_ADHESION,
@@ -195,7 +195,7 @@ const SPHERE_KEYS: [KeySpec; 11] = key_specs! {
 };
 
 /// The half-space, except for its strength.
-const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
+const HALF_SPACE_KEYS: [KeySpec; 11] = key_specs! {
     "";
     /// Young's modulus of the half-space.
     "half_space.youngs_modulus" of HalfSpace: Number(&MODULUS);
@@ -218,9 +218,14 @@ const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
     "half_space.edge_distance" of Motion: Number(&LENGTH);
     /// Model of the plate: "zener" for a thin plate, "thick" with the first correction for a thick plate.
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
+    /// Diameter of a long round rod that replaces the half-space and is hit at its end (Hopkinson bar); requires half_space.density. The
+    /// diameter can be an axis.
+    "half_space.rod_diameter" of Motion: Number(&LENGTH);
+    /// Length of the rod. Used only for a warning about the wave that the far end reflects.
+    "half_space.rod_length" of Motion: Number(&LENGTH);
 };
 
-const OTHER_KEYS: [KeySpec; 52] = key_specs! {
+const OTHER_KEYS: [KeySpec; 54] = key_specs! {
     "";
     /// Impact speed: speed of the sphere at first contact, towards the half-space. With an angle, the magnitude of the velocity.
     "impact.speed" of Approach: Number(&SPEED);
@@ -304,6 +309,11 @@ const OTHER_KEYS: [KeySpec; 52] = key_specs! {
     "solver.steps_per_contact" of Solver: Count(&STEPS) => "50";
     /// Number of rows of the trace, evenly spaced in time, plus one row for every event.
     "output.samples" of Output: Count(&SAMPLES) => "400";
+    /// Time from sample to sample of the force of a single impact, in pulse.csv, with its spectrum in spectrum.csv.
+    "output.pulse.step" of Output: Number(&TIME);
+    /// Length of the pulse with zeros behind it over the contact time; the length is raised to a power of two. Without the key the
+    /// spectrum has the padding 8, and pulse.csv has no zeros.
+    "output.pulse.padding" of Output: Count(&PADDING);
     /// Columns of a table, in addition to the restitution.
     "output.columns" of Output: Words(&COLUMNS) => "all";
     /// Results to draw: over the axes of a table, or as histograms of random cases.

@@ -121,6 +121,8 @@ pub const SAMPLES: Quantity = Quantity {
     too_high: "a trace is held in memory; for a finer look at a part of it, interpolate between its rows",
     ..bounded_ratio("a number of samples", Included(2.0), Included(1e6), "400")
 };
+/// Length of a pulse with zeros over the contact time.
+pub const PADDING: Quantity = bounded_ratio("a padding", Included(1.0), Included(1024.0), "8");
 /// Steps of the fixed-step method: at least one, at most what takes seconds to compute.
 pub const STEPS: Quantity = bounded_ratio("a number of steps", Included(1.0), Included(1e8), "50");
 

@@ -4,7 +4,7 @@ use crate::contact::law::LawChoice;
 use crate::contact::law::plm::hardness_test::hardness_of_flow_stress;
 use crate::contact::strength::hardness::{self, HardnessScale};
 use crate::error::Error;
-use crate::impact::Method;
+use crate::impact::{Method, WaveguideKind};
 use crate::scenario::document::read_text;
 use crate::scenario::input::{Body, BodyMaterial, Input, N_BODY_KEYS, NumericKey, REQUIRED_KEYS};
 use crate::scenario::keys::key;
@@ -167,10 +167,13 @@ impl Scenario {
                 "is both a fitted key and a column of the data. Remove one of the two.".to_owned(),
             );
         }
-        let is_on_plate = wanted.input.forces().plate.is_some() || paths.contains(&"half_space.thickness");
-        if is_on_plate && !is_of_impacts {
-            let message = "does not apply to an indentation curve, which is quasi-static. Remove this key.";
-            return refuse("half_space.thickness", message.to_owned());
+        let guide = wanted.input.forces().waveguide;
+        for kind in [WaveguideKind::Plate, WaveguideKind::Rod] {
+            let is_on_it = guide.is_some_and(|guide| guide.kind() == kind) || paths.contains(&kind.size_key());
+            if is_on_it && !is_of_impacts {
+                let message = "does not apply to an indentation curve, which is quasi-static. Remove this key.";
+                return refuse(kind.size_key(), message.to_owned());
+            }
         }
         // the speed of the data replaces the speed of the scenario
         let is_speed = |path: &str| path.starts_with("impact.");

@@ -3,7 +3,7 @@
 
 use crate::error::Error;
 use crate::impact::flight::free_flight::FreeFlight;
-use crate::impact::{Contact, ImpactError, PlateError};
+use crate::impact::{Contact, ImpactError, WaveguideError, WaveguideFault};
 use crate::scenario::Scenario;
 use crate::scenario::input::{Input, NUMERIC_KEYS, OBLIQUE_KEYS, alternative_pairs};
 use crate::scenario::keys::key;
@@ -72,11 +72,11 @@ const RULES: &[KeyRule] = &[
         &["calibrate"],
         "cannot be combined with [{}], which supports normal impacts only. Remove this key, and give the normal component of the speed.",
     ),
-    // a plate radiates no waves into a half-space: its density serves the plate
+    // a plate or rod radiates no waves into a half-space: the density serves the plate or rod
     KeyRule {
         keys: &["half_space.density"],
         other_keys: &["damping"],
-        unless: &["half_space.thickness", "half_space.mass"],
+        unless: &["half_space.thickness", "half_space.rod_diameter", "half_space.mass"],
         reason: "elastic waves cannot be combined with [{}], because the wave loss is computed for a contact without damping. Remove this key or [{}].",
     },
     excludes(
@@ -91,7 +91,7 @@ const RULES: &[KeyRule] = &[
     ),
     excludes(
         &["adhesion"],
-        &["damping.viscoelastic_time", "half_space.thickness"],
+        &["damping.viscoelastic_time", "half_space.thickness", "half_space.rod_diameter"],
         "cannot be combined with {}, because the loss by adhesion is known for an elastic contact on a half-space only. Remove one of the two.",
     ),
     excludes(
@@ -108,6 +108,22 @@ const RULES: &[KeyRule] = &[
         &["half_space.thickness"],
         &["half_space.radius", "half_space.mass"],
         "a plate cannot be combined with {}, because a plate is flat and gives way by bending. Remove one of the two.",
+    ),
+    excludes(
+        &["half_space.rod_diameter"],
+        &["half_space.radius", "half_space.mass"],
+        "a rod cannot be combined with {}, because the end of the rod is flat, and the rod gives way by a wave. Remove one of the two.",
+    ),
+    excludes(
+        &["half_space.thickness"],
+        &["half_space.rod_diameter"],
+        "a target is a plate or a rod, and {} makes it a rod. Remove one of the two.",
+    ),
+    // a column of measurements may give the diameter
+    needs(
+        &["half_space.rod_length"],
+        &["half_space.rod_diameter", "calibrate"],
+        "applies to rods only. Add half_space.rod_diameter, or remove this key.",
     ),
     // a column of measurements may give the thickness
     needs(
@@ -180,6 +196,16 @@ const RULES: &[KeyRule] = &[
         &["half_space.mass", "half_space.radius"],
         "cannot be combined with {}, because a coverage is known for a fixed, flat surface only. Remove one of the two.",
     ),
+    needs(
+        &["output.pulse"],
+        &["output.pulse.step"],
+        "requires output.pulse.step, the time from sample to sample. Add pulse = { step = \"10 ns\" }, or remove this key.",
+    ),
+    excludes(
+        &["output.pulse"],
+        &["sweep", "monte_carlo", "repeat", "indentation", "calibrate"],
+        "applies to single impacts only, and [{}] is another kind of scenario. Remove one of the two.",
+    ),
     excludes(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO_TEXT),
     excludes(&["indentation.half_space"], &["half_space"], ONE_OF_TWO_TEXT),
 ];
@@ -224,14 +250,13 @@ impl Scenario {
         self.document.refusal(place, message)
     }
 
-    /// Refuses a plate together with parts of the scene that are not computed on a plate.
-    pub(in crate::scenario) fn check_plate(&self, contact: &Result<Contact, ImpactError>) -> Result<(), Error> {
-        let contact = contact.as_ref().ok().filter(|contact| contact.forces().plate.is_some());
-        let refuse = |error: PlateError| {
-            let needed = (error == PlateError::NoDensity).then_some("half_space.density");
-            self.refusal_where_varied("half_space.thickness", error.to_string()).with_missing_key(needed)
+    /// Refuses a plate or a rod together with parts of the scene that are not computed on it.
+    pub(in crate::scenario) fn check_waveguide(&self, contact: &Result<Contact, ImpactError>) -> Result<(), Error> {
+        let refuse = |error: WaveguideError| {
+            let needed = (error.reason == WaveguideFault::NoDensity).then_some("half_space.density");
+            self.refusal_where_varied(error.kind.size_key(), error.to_string()).with_missing_key(needed)
         };
-        contact.map_or(Ok(()), |contact| contact.check_plate().map_err(refuse))
+        contact.as_ref().map_or(Ok(()), |contact| contact.check_waveguide().map_err(refuse))
     }
 
     /// Refuses a hollow that is too narrow for a point contact, and a free target with missing values.

@@ -80,9 +80,11 @@ const RULES: &[Rule] = &[
             "half_space.density",
             "half_space.thickness",
             "half_space.plate",
+            "half_space.rod_diameter",
+            "half_space.rod_length",
         ],
         |facts, _| facts.is_static(),
-        "a quasi-static indentation needs no mass, density or plate",
+        "a quasi-static indentation needs no mass, density, plate or rod",
     ),
     keys(
         &["sphere.moment_of_inertia", "friction.coefficient"],
@@ -96,7 +98,7 @@ const RULES: &[Rule] = &[
     ),
     keys(&["adhesion.work"], |facts, _| facts.kind == Kind::Repeat, "the impacts of a series rebound without adhesion"),
     keys(
-        &["half_space.edge_distance"],
+        &["half_space.edge_distance", "half_space.rod_length"],
         |facts, _| !matches!(facts.kind, Kind::Impact | Kind::Repeat),
         "only a warning of single impacts uses this key",
     ),
@@ -147,7 +149,9 @@ const RULES: &[Rule] = &[
     columns(&[Requirement::Subsurface], |facts, _| !facts.first().asks_for_subsurface(), "no key asks for it"),
     columns(
         &[Requirement::Subsurface],
-        |facts, _| facts.is_on_plate() || facts.is_free() || facts.first().number(key!("half_space.radius")).is_some(),
+        |facts, _| {
+            facts.is_on_waveguide() || facts.is_free() || facts.first().number(key!("half_space.radius")).is_some()
+        },
         "the stress below a dent is known for a half-space only",
     ),
     columns(
@@ -203,8 +207,8 @@ const RULES: &[Rule] = &[
     ),
     columns(
         &[Requirement::Density],
-        |facts, _| facts.is_on_plate(),
-        "elastic waves are not computed for a plate; use plate_loss_fraction",
+        |facts, _| facts.is_on_waveguide(),
+        "elastic waves of a half-space are not computed for a plate or rod; use plate_loss_fraction or rod_loss_fraction",
     ),
     columns(
         &[Requirement::LeebTester],
@@ -218,8 +222,18 @@ const RULES: &[Rule] = &[
     ),
     columns(
         &[Requirement::Thickness],
-        |facts, _| !facts.is_on_plate(),
+        |facts, _| facts.first().number(key!("half_space.thickness")).is_none(),
         "the target is not a plate, because half_space.thickness is not given",
+    ),
+    columns(
+        &[Requirement::Rod],
+        |facts, _| facts.first().number(key!("half_space.rod_diameter")).is_none(),
+        "the target is no rod, because half_space.rod_diameter is not given",
+    ),
+    columns(
+        &[Requirement::Waveguide],
+        |facts, _| !facts.is_on_waveguide(),
+        "the target is no plate and no rod, because neither half_space.thickness nor half_space.rod_diameter is given",
     ),
 ];
 
@@ -270,8 +284,8 @@ impl Facts<'_> {
         self.first().number(key!("half_space.mass")).is_some()
     }
 
-    fn is_on_plate(&self) -> bool {
-        self.first().forces().plate.is_some()
+    fn is_on_waveguide(&self) -> bool {
+        self.first().forces().waveguide.is_some()
     }
 
     /// The body that hits a fixed target along the normal in all rows; `None` if it varies.

@@ -4,7 +4,7 @@
 use super::question::{AtlasSeries, Origin, Question};
 use crate::contact::law::LawChoice;
 use crate::error::Error;
-use crate::impact::{Forces, Plate, PlateTheory, Solver};
+use crate::impact::{Forces, Plate, PlateTheory, Solver, Waveguide};
 use crate::numerics::functions::{exp, ln};
 use crate::report::chart::Axis;
 use crate::scenario::Scenario;
@@ -22,12 +22,13 @@ fn line(law: &LawChoice, theory: PlateTheory) -> Result<Vec<(f64, f64)>, Error> 
     let input = Scenario::from_text("plate", SCENARIO, &[])?.resolve()?;
     let (sphere, half_space) = input.bodies(law);
     let Ok(contact) = input.contact_of(sphere, half_space, law) else { return Ok(Vec::new()) };
-    let Some(plate) = contact.forces().plate else { return Ok(Vec::new()) };
+    let Some(plate) = contact.forces().waveguide.as_ref().and_then(Waveguide::plate) else { return Ok(Vec::new()) };
     let mut points = Vec::new();
     for step in 0..=POINTS {
         let ratio = MAX_THICKNESS * exp(ln(0.01) * (1.0 - f64::from(step) / f64::from(POINTS)));
-        let plate = Plate { thickness: ratio * DIAMETER, theory, ..plate };
-        let contact = contact.clone().with_forces(Forces { plate: Some(plate), ..*contact.forces() });
+        let plate = Plate { thickness: ratio * DIAMETER, theory, ..*plate };
+        let contact =
+            contact.clone().with_forces(Forces { waveguide: Some(Waveguide::Plate(plate)), ..*contact.forces() });
         let Ok(row) = contact.row(input.speed(), &Solver::AUTO) else { continue };
         points.push((ratio, row.restitution));
     }

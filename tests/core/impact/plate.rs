@@ -34,7 +34,7 @@ impl OnPlate {
     }
 
     fn under(&self, law: &dyn ContactLaw, forces: Forces) -> Contact {
-        let forces = Forces { plate: forces.plate.or(Some(self.plate())), ..forces };
+        let forces = Forces { waveguide: forces.waveguide.or(Some(Waveguide::Plate(self.plate()))), ..forces };
         Contact::try_new(self.sphere, self.half_space, law).unwrap().with_forces(forces)
     }
 
@@ -60,7 +60,7 @@ impl OnPlate {
 
     /// A plate of the thickness that gives λ at a speed: λ goes with h^−2.
     fn at_zener_number(self, zener_number: f64, speed: f64) -> Self {
-        let now = self.impact(speed, None).row.plate.unwrap().zener_number;
+        let now = self.impact(speed, None).row.waveguide.unwrap().zener_number;
         Self { thickness: self.thickness * (now / zener_number).sqrt(), ..self }
     }
 }
@@ -109,7 +109,7 @@ fn plate_energy_equals_work_of_the_force() {
             let impact = contact.impact(speed, &Solver::default(), Some(4000)).unwrap();
             assert_eq!(impact.captured_result().is_some(), is_captured);
             assert!(impact.energy.balance_error < 1e-9, "{gravity:?}: {:e}", impact.energy.balance_error);
-            let plate = impact.row.plate.unwrap();
+            let plate = impact.row.waveguide.unwrap();
             let (energy, moved) = energy_from_trace(&bodies, &impact);
             assert!(relative_error(plate.energy, energy) < 1e-4, "{gravity:?}: {} {energy}", plate.energy);
             assert!(relative_error(plate.displacement, moved) < 1e-4, "{gravity:?}: {} {moved}", plate.displacement);
@@ -126,9 +126,9 @@ fn thick_plate_yields_like_thinner_thin_plate() {
     // Y (1 + 1.86/X) with Y ~ h^−2
     let bodies = OnPlate::steel(8e-3);
     let thick = Plate { theory: PlateTheory::Thick, ..bodies.plate() };
-    let thick = bodies.under(&Plm::default(), Forces { plate: Some(thick), ..Forces::default() });
+    let thick = bodies.under(&Plm::default(), Forces { waveguide: Some(Waveguide::Plate(thick)), ..Forces::default() });
     let thick = thick.impact(1.0, &Solver::default(), None).unwrap();
-    let numbers = thick.row.plate.unwrap();
+    let numbers = thick.row.waveguide.unwrap();
     let wave_speed = (bodies.half_space.material.plane_strain_modulus() / 7850.0).sqrt();
     assert!(
         relative_error(numbers.wave_transits, wave_speed * bodies.thick(1.0).row.contact_time / bodies.thickness)
@@ -151,20 +151,21 @@ fn doubtful_plates_are_warned_of() {
     use PlateTheory::{Thick, Zener};
     let warned = |bodies: OnPlate, edge_distance: Option<f64>, theory: PlateTheory| {
         let plate = Plate { edge_distance, theory, ..bodies.plate() };
-        let contact = bodies.under(&Plm::default(), Forces { plate: Some(plate), ..Forces::default() });
+        let contact =
+            bodies.under(&Plm::default(), Forces { waveguide: Some(Waveguide::Plate(plate)), ..Forces::default() });
         contact.impact(1.0, &Solver::default(), None).unwrap().warnings
     };
     // X goes with 1/h: about 28 at 2.5 mm
     let plain = OnPlate::glass(2.5e-3);
     assert!(warned(plain, None, Zener).is_empty());
-    let x = plain.impact(1.0, None).row.plate.unwrap().wave_transits;
+    let x = plain.impact(1.0, None).row.waveguide.unwrap().wave_transits;
     let with = |wave_transits: f64| OnPlate { thickness: plain.thickness * x / wave_transits, ..plain };
     assert!(matches!(warned(with(1.9), None, Zener)[..], [Warning { kind: WarningKind::ThickPlate, .. }]));
     assert!(matches!(warned(with(1.9), None, Thick)[..], [Warning { kind: WarningKind::ThickPlate, .. }]));
     assert!(matches!(warned(with(2.1), None, Thick)[..], [Warning { kind: WarningKind::ModeratelyThickPlate, .. }]));
     assert!(matches!(warned(with(9.9), None, Zener)[..], [Warning { kind: WarningKind::ModeratelyThickPlate, .. }]));
     assert!(warned(with(10.1), None, Zener).is_empty() && warned(with(5.1), None, Thick).is_empty());
-    let wave_reach = plain.impact(1.0, None).row.plate.unwrap().wave_reach;
+    let wave_reach = plain.impact(1.0, None).row.waveguide.unwrap().wave_reach;
     assert!(warned(plain, Some(1.001 * wave_reach), Zener).is_empty());
     assert!(matches!(
         warned(plain, Some(0.999 * wave_reach), Zener)[..],
@@ -178,25 +179,26 @@ fn doubtful_plates_are_warned_of() {
 #[test]
 fn plate_below_least_thickness_is_refused() {
     let refused = |contact: &Contact, speed: f64| match contact.impact(speed, &Solver::default(), None) {
-        Err(ImpactError::Plate(error)) => error,
+        Err(ImpactError::Waveguide(error)) => error.reason,
         other => panic!("{other:?}"),
     };
     let steel = OnPlate::steel(2e-3);
     // a straight unloading branch: just above the least thickness it ends, just below it is refused
     let thin = OnPlate { thickness: 1e-5, ..steel };
-    let PlateError::NeverEnds { least } = refused(&thin.under(&WaltonBraun::default(), Forces::default()), 1e-3) else {
+    let WaveguideFault::NeverEnds { least } = refused(&thin.under(&WaltonBraun::default(), Forces::default()), 1e-3)
+    else {
         panic!()
     };
     let at = |thickness| OnPlate { thickness, ..steel }.under(&WaltonBraun::default(), Forces::default());
-    assert!(matches!(refused(&at(0.999 * least), 1e-3), PlateError::NeverEnds { .. }));
+    assert!(matches!(refused(&at(0.999 * least), 1e-3), WaveguideFault::NeverEnds { .. }));
     assert!(at(1.01 * least).impact(1e-3, &Solver::default(), None).unwrap().row.restitution < 1e-3);
 
     // λ above 20
     let foil = OnPlate { thickness: 1e-5, ..steel };
-    let PlateError::TooThin { zener_number, restitution, least } = refused(&foil.contact(), 1.0) else { panic!() };
+    let WaveguideFault::TooThin { zener_number, restitution, least } = refused(&foil.contact(), 1.0) else { panic!() };
     assert!(zener_number > 20.0 && relative_error(restitution, 0.679 * zener_number.powi(-5)) < 1e-12);
     let just = OnPlate { thickness: 1.001 * least, ..steel }.impact(1.0, None);
-    assert!(relative_error(just.row.plate.unwrap().zener_number, 20.0) < 3e-3 && just.row.restitution < 1e-6);
+    assert!(relative_error(just.row.waveguide.unwrap().zener_number, 20.0) < 3e-3 && just.row.restitution < 1e-6);
 }
 
 #[test]

@@ -41,12 +41,12 @@ impl References {
 
 /// Compares all results that the row has; `allowed` is relative to the second number.
 fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
-    let (size, on_plate) = (impact.row.peak_indentation, impact.row.plate);
+    let (size, on_plate) = (impact.row.peak_indentation, impact.row.waveguide);
     let point = contact.pair().yield_point;
     let of_point = |of: fn(&plm_impact::contact::pair::YieldPoint) -> f64| point.as_ref().map_or(f64::NAN, of);
     // R_res = R R_e/(R_e − R) loses digits where the dent is shallow
     let radius = impact.residual_radius.unwrap_or(f64::NAN);
-    let of_plate = |of: fn(&plm_impact::impact::PlateResult) -> f64| on_plate.as_ref().map_or(f64::NAN, of);
+    let of_plate = |of: fn(&WaveguideResult) -> f64| on_plate.as_ref().map_or(f64::NAN, of);
     let mut compared = 0;
     let target = impact.row.target_speed.unwrap_or(f64::NAN);
     for (name, got, unit) in [
@@ -55,7 +55,7 @@ fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
         // e may be next to nothing, and a dent is a small difference
         ("restitution", impact.row.restitution, 1.0),
         ("plastic_fraction", impact.row.plastic_fraction, 1.0),
-        ("plate_energy_fraction", impact.row.plate_loss_fraction().unwrap_or(f64::NAN), 1.0),
+        ("plate_energy_fraction", impact.row.waveguide_loss_fraction(WaveguideKind::Plate).unwrap_or(f64::NAN), 1.0),
         ("residual_indentation_m", impact.row.residual_indentation, size),
         ("residual_radius_m", radius, 60.0 * radius),
         ("contact_time_s", impact.row.contact_time, impact.row.contact_time),

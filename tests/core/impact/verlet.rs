@@ -8,7 +8,7 @@ const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
 
 const NUMBERS_OF_STEPS: [u32; 6] = [50, 77, 100, 333, 1000, 3000];
 
-const NO_OVERRIDES: Forces = Forces { gravity: None, damping: None, plate: None, flight: None };
+const NO_OVERRIDES: Forces = Forces { gravity: None, damping: None, waveguide: None, flight: None };
 
 fn verlet(steps_per_contact: u32) -> Solver {
     Solver { method: Method::Verlet, steps_per_contact, ..Solver::default() }
@@ -148,9 +148,9 @@ fn too_long_steps_are_refused_or_warned_of() {
     let half_space = HalfSpace { density: Some(7850.0), ..HalfSpace::flat(glass, None) };
     let plate = Plate { thickness: 1.2149e-3, edge_distance: None, theory: PlateTheory::Zener };
     let contact = Contact::try_new(Sphere::elastic(5e-3, glass, 7850.0), half_space, &Plm::default()).unwrap();
-    let contact = contact.with_forces(Forces { plate: Some(plate), ..Forces::default() });
+    let contact = contact.with_forces(Forces { waveguide: Some(Waveguide::Plate(plate)), ..Forces::default() });
     let impact = contact.impact(3.0, &verlet(50), None).unwrap();
-    assert!(impact.row.plate_loss_fraction().unwrap() > 1.0);
+    assert!(impact.row.waveguide_loss_fraction(WaveguideKind::Plate).unwrap() > 1.0);
     let kinds = kinds(&impact);
     assert!(kinds.contains(&WarningKind::EnergyImbalance) && kinds.contains(&WarningKind::EnergyGain), "{kinds:?}");
 }

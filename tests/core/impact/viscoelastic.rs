@@ -181,6 +181,10 @@ fn strain_rate_and_plate_are_refused() {
     assert_eq!(rated.impact(3.0, &Solver::AUTO, None).unwrap_err(), ImpactError::ViscoelasticRate);
     assert_eq!(rated.row(3.0, &Solver::AUTO).unwrap_err(), ImpactError::ViscoelasticRate);
     let plate = Plate { thickness: 5e-3, edge_distance: None, theory: PlateTheory::Zener };
-    let on_plate = run(&["half_space.density=7850"]).with_forces(Forces { plate: Some(plate), ..viscoelastic(1e-6) });
-    assert_eq!(on_plate.impact(3.0, &Solver::AUTO, None).unwrap_err(), PlateError::Damped.into());
+    let on_plate = run(&["half_space.density=7850"])
+        .with_forces(Forces { waveguide: Some(Waveguide::Plate(plate)), ..viscoelastic(1e-6) });
+    assert_eq!(
+        on_plate.impact(3.0, &Solver::AUTO, None).unwrap_err(),
+        WaveguideError { kind: WaveguideKind::Plate, reason: WaveguideFault::Damped }.into()
+    );
 }

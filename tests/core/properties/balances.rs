@@ -32,7 +32,7 @@ pub fn the_reported_energies_add_up(run: &Run) -> Judgement {
     let (plastic, gravity) = (impact.energy.plastic.unwrap_or(0.0), of(|under| under.gravity_work));
     let parts = [
         plastic,
-        impact.row.plate.map_or(0.0, |plate| plate.energy),
+        impact.row.waveguide.map_or(0.0, |waveguide| waveguide.energy),
         of(|under| under.damping_loss),
         of(|under| under.stored_at_separation),
         of(|under| under.remaining_energy),
@@ -44,7 +44,8 @@ pub fn the_reported_energies_add_up(run: &Run) -> Judgement {
     let largest = found.abs().max(gravity.abs()).max(size);
     assert_close("sum", found - gravity, impact.row.kinetic_in + of_run, 2e-13 * largest)?;
     if let Some(under) = impact.forces_result {
-        let way = under.end_indentation - run.touch() + impact.row.plate.map_or(0.0, |plate| plate.displacement);
+        let way =
+            under.end_indentation - run.touch() + impact.row.waveguide.map_or(0.0, |waveguide| waveguide.displacement);
         assert_close("work of the weight", gravity, run.weight() * way, 1e-12 * largest)?;
     }
     let gain = if run.contact.has_rate() && run.scene.has("half_space.flow_stress") { 1e-3 } else { 0.0 };

@@ -1,7 +1,7 @@
 //! Invariants between an impact and its repetition by another method, without a trace, or as a row of a table.
 
 use super::balances::{Judgement, assert_close};
-use super::random_scenario::{KeySetting, Run};
+use super::random_scenario::{KeySetting, Run, WAVEGUIDES};
 use crate::common::prelude::*;
 
 /// All that is reported of an impact, as text, so that no number is equal to itself too.
@@ -241,22 +241,22 @@ pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judgement {
     Ok(compared > 0)
 }
 
-/// Damping and a plate take energy: the sphere goes in no deeper than without them, and on a plate it is pressed no harder and comes
-/// back no faster, on a thinner one still less.
-pub fn damping_and_a_plate_only_take(run: &Run) -> Judgement {
+/// Damping, a plate and a rod take energy: the sphere goes in no deeper than without them, and on a plate or rod it is pressed no
+/// harder and comes back no faster, on a thinner one still less.
+pub fn damping_and_a_waveguide_only_take(run: &Run) -> Judgement {
     if !run.has_drag() || !run.is_adaptive() {
         return Ok(false);
     }
-    let free = run.scene.without(&["damping", "half_space.thickness", "solver"]);
+    let free = run.scene.without(&["damping", "solver"]).without(&WAVEGUIDES);
     let bare = free.without(&["half_space.density"]);
     let free = if run.scene.has("half_space.mass") { free.run() } else { bare.run() };
     // without drag it may go in too deep, or beyond the range of the law
     let Ok(free) = free else { return Ok(false) };
     let (deepest, most) = (run.impact.row.peak_indentation, free.impact.row.peak_indentation);
     prop_assert!(deepest <= most * (1.0 + 1e-8 + run.error_allowance()), "{} {}", deepest, most);
-    if let (Some(plate), None) = (run.contact.forces().plate, run.contact.forces().gravity) {
-        let thinner = run.scene.with("half_space.thickness", KeySetting::Number(0.9 * plate.thickness));
-        // a plate that is too thin is refused
+    if let (Some(guide), None) = (run.contact.forces().waveguide, run.contact.forces().gravity) {
+        let thinner = run.scene.with(guide.kind().size_key(), KeySetting::Number(0.9 * guide.size()));
+        // a plate or rod that is too thin is refused
         let thinner = thinner.run().map(|thinner| thinner.impact).ok();
         for [less, more] in
             [[&run.impact, &free.impact]].into_iter().chain(thinner.as_ref().map(|thin| [thin, &run.impact]))

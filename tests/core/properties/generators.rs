@@ -1,7 +1,7 @@
 //! How scenes are drawn: tables of alternatives with their weights, and numbers in units of the scene, so that scenes of all sizes are
 //! alike.
 
-use super::random_scenario::{AnyScene, KeySetting};
+use super::random_scenario::{AnyScene, KeySetting, WAVEGUIDES};
 use crate::common::prelude::*;
 
 /// The unit of a random number.
@@ -119,14 +119,15 @@ const RATES: Table = &[
     ),
 ];
 const GRAVITIES: Table = &[(2, &[]), (1, &[("gravity.acceleration", Decades(-6.0, 2.0), YieldGravity)])];
-/// Damping, a plate or elastic waves: from hardly any to what leaves next to nothing.
+/// Damping, a plate, a rod or elastic waves: from hardly any to what leaves next to nothing.
 const DRAGS: Table = &[
-    (5, &[]),
-    (2, &[DENSITY]),
-    (1, &[("damping.hunt_crossley", Decades(-4.0, 1.0), PerSpeed)]),
-    (1, &[("damping.viscous", Decades(-4.0, 0.5), Si)]),
-    (1, &[("damping.viscoelastic_time", Decades(-4.0, 0.3), ImpactTime)]),
+    (10, &[]),
+    (4, &[DENSITY]),
+    (2, &[("damping.hunt_crossley", Decades(-4.0, 1.0), PerSpeed)]),
+    (2, &[("damping.viscous", Decades(-4.0, 0.5), Si)]),
+    (2, &[("damping.viscoelastic_time", Decades(-4.0, 0.3), ImpactTime)]),
     (1, &[("half_space.thickness", Decades(-0.5, 1.5), Radius), DENSITY]),
+    (1, &[("half_space.rod_diameter", Decades(-0.3, 1.5), Radius), DENSITY]),
 ];
 /// The whole range, and its edges: at first yield and just beside it, next to nothing, and at rest.
 const SPEEDS: Table = &[
@@ -278,9 +279,9 @@ fn to_si(keys: &[(&'static str, KeySetting, Unit)], strain: f64) -> Vec<(&'stati
         keys.iter().map(|(path, given, unit)| (*path, in_unit(given, *unit))).collect()
     };
     // the contact itself knows its speed at first yield to the last bit
-    let begins = ["impact", "sphere.spin", "friction", "damping", "gravity", "solver", "half_space.thickness"];
+    let begins = ["impact", "sphere.spin", "friction", "damping", "gravity", "solver"];
     let scene = AnyScene { keys: convert(by_hand), earlier: None, samples: None };
-    let scene = scene.without(&begins).with("impact.speed", KeySetting::Number(by_hand));
+    let scene = scene.without(&begins).without(&WAVEGUIDES).with("impact.speed", KeySetting::Number(by_hand));
     let yield_speed = scene.input().ok().and_then(|input| input.contact().ok()?.yield_speed());
     convert(yield_speed.unwrap_or(by_hand))
 }

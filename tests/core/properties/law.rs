@@ -167,7 +167,7 @@ pub fn a_slow_indentation_is_the_impact_without_motion(run: &Run) -> Judgement {
 
 /// Under the damping of Hunt and Crossley alone the force at every speed has a closed form, on any spot.
 pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judgement {
-    let (Some((scales, law, dent)), Forces { gravity: None, damping, plate: None, .. }) =
+    let (Some((scales, law, dent)), Forces { gravity: None, damping, waveguide: None, .. }) =
         (law_of(run), *run.contact.forces())
     else {
         return Ok(false);

@@ -45,7 +45,7 @@ const COMPARISON_INVARIANTS: [Invariant; 18] = [
     ("damping of nothing", equivalences::damping_of_nothing_changes_nothing, 40),
     ("fixed steps come near", equivalences::fixed_steps_come_near, 40),
     ("what has no effect", equivalences::what_has_no_effect_changes_nothing, 15),
-    ("damping and a plate only take", equivalences::damping_and_a_plate_only_take, 15),
+    ("damping and a waveguide only take", equivalences::damping_and_a_waveguide_only_take, 15),
     ("a spot remembers", surface::a_spot_remembers, 5),
     ("the rate is that of the depth that it gives", surface::the_rate_is_that_of_the_depth_that_it_gives, 8),
     ("the law is orderly", surface::the_law_is_orderly, 50),
@@ -57,7 +57,7 @@ const COMPARISON_INVARIANTS: [Invariant; 18] = [
 ];
 
 /// These must occur among the scenes that have a result, each in a hundredth of them at least.
-const REQUIRED_KINDS: [&str; 21] = [
+const REQUIRED_KINDS: [&str; 22] = [
     "sphere.youngs_modulus=\"rigid\"",
     "sphere.yield_strength",
     "half_space.yield_strength",
@@ -70,6 +70,7 @@ const REQUIRED_KINDS: [&str; 21] = [
     "half_space.rate.johnson_cook",
     "half_space.rate.cowper_symonds",
     "half_space.thickness",
+    "half_space.rod_diameter",
     "law=",
     "law.plm.unloading_exponent=\"pressure-shape\"",
     "law.plm.unloading_exponent=1",

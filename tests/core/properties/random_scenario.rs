@@ -6,6 +6,9 @@ use plm_impact::error::ErrorKind;
 
 use crate::common::prelude::*;
 
+/// The keys of a plate and of a rod.
+pub const WAVEGUIDES: [&str; 2] = [WaveguideKind::Plate.size_key(), WaveguideKind::Rod.size_key()];
+
 /// The value of a key.
 #[derive(Debug, Clone, PartialEq)]
 pub enum KeySetting {
@@ -106,8 +109,8 @@ impl AnyScene {
                     self.has("law.plm.unloading_exponent") && *gain > 0.05
                 }
                 ImpactError::Law(LawError::Flow(_) | LawError::BothFlow { .. }) => self.has("half_space.flow_stress"),
-                ImpactError::Plate(_) => self.has("half_space.thickness"),
-                ImpactError::NoClosedForm => self.has("damping") || self.has("half_space.thickness"),
+                ImpactError::Waveguide(error) => self.has(error.kind.size_key()),
+                ImpactError::NoClosedForm => self.has("damping") || WAVEGUIDES.iter().any(|key| self.has(key)),
                 _ => false,
             },
         }
@@ -168,7 +171,7 @@ impl Run {
 
     /// True if damping or a plate takes energy on the way.
     pub fn has_drag(&self) -> bool {
-        self.contact.forces().damping.is_some() || self.contact.forces().plate.is_some()
+        self.contact.forces().damping.is_some() || self.contact.forces().waveguide.is_some()
     }
 
     /// True for the methods that follow a tolerance.
@@ -194,11 +197,11 @@ impl Run {
     /// damped force is not smooth: they lose one more digit. On a plate the error is twice as large. The closed form takes its
     /// times under gravity at the tolerance of the solver; all else of it, and the run of its trace, has a tolerance of 1e-13.
     pub fn error_allowance(&self) -> f64 {
-        let Forces { gravity, damping, plate, .. } = *self.contact.forces();
+        let Forces { gravity, damping, waveguide, .. } = *self.contact.forces();
         let is_exact = self.impact.method == Method::ClosedForm && gravity.is_none();
         let tolerance = if is_exact { 1e-13 } else { self.solver.tolerance };
         let is_own = matches!(self.impact.method, Method::Rk8 | Method::ClosedForm);
-        let factor = match (plate, damping) {
+        let factor = match (waveguide, damping) {
             (None, Some(_)) if !is_own => 100.0,
             (Some(_), _) => 20.0,
             _ => 10.0,

@@ -58,7 +58,7 @@ pub fn rows_are_in_order(run: &Run) -> Judgement {
 /// How far a sphere on a plate may go on at most after the metal has relaxed: up to the force before that.
 fn beyond_the_peak(impact: &Impact) -> f64 {
     let at = impact.trace.iter().position(|row| row.event == Some(Event::Relaxation));
-    let Some(at) = at.filter(|_| impact.row.plate.is_some()) else { return 0.0 };
+    let Some(at) = at.filter(|_| impact.row.waveguide.is_some()) else { return 0.0 };
     let [before, after] = [impact.trace[at - 1].force, impact.trace[at].force];
     impact.elastic_approach * ((before / after).powf(1.0 / impact.unloading_exponent) - 1.0)
 }

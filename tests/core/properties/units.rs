@@ -26,7 +26,8 @@ fn exponents(dimension: Dimension) -> [i32; 3] {
         Dimension::Force => [1, -2, 1],
         Dimension::Energy => [2, -2, 1],
         Dimension::Stiffness | Dimension::SurfaceEnergy => [0, -2, 1],
-        Dimension::AngularSpeed | Dimension::StrainRate => [0, -1, 0],
+        Dimension::AngularSpeed | Dimension::StrainRate | Dimension::Frequency => [0, -1, 0],
+        Dimension::Impulse => [1, -1, 1],
         Dimension::MomentOfInertia => [2, 0, 1],
         Dimension::Viscosity => [-1, -1, 1],
         Dimension::Angle | Dimension::Ratio => [0, 0, 0],
@@ -95,6 +96,7 @@ pub fn units_do_not_matter(run: &Run) -> Judgement {
         dent_interval: None,
         notes: &[],
         drop_height: None,
+        pulse: None,
     });
     let mut compared = 0;
     for result in impact_results() {

@@ -156,13 +156,21 @@ fn impact_with_header_has_restitution_of_closed_form() {
 /// Laws without a table, and options that a header has not, are refused by name, and nothing is written.
 #[test]
 fn what_header_lacks_is_refused_by_name() {
-    let ways: [(&[&str], &str); 5] = [
+    let ways: [(&[&str], &str); 7] = [
         (
             &["--set", "law=walton_braun"],
             "the law walton_braun cannot be a header, because its loading does not begin with Hertz's law",
         ),
         (&["--set", "law=yigit_christoforou"], "because its unloading curve is not a power of the distance"),
         (&["--set", "damping.viscous=0.1"], "is not supported in a DEM contact"),
+        (
+            &["--set", "half_space.density=7850", "--set", "half_space.rod_diameter=20 mm"],
+            "half_space.rod_diameter: is not supported in a DEM contact",
+        ),
+        (
+            &["--set", "half_space.density=7850", "--set", "half_space.thickness=20 mm"],
+            "The simulation moves the plate itself",
+        ),
         (&["--speed", "3 m/s"], "--speed: a header does not depend on a speed"),
         (&["--speeds", "1 m/s,3 m/s"], "--speeds: a header does not depend"),
     ];

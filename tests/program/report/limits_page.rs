@@ -4,7 +4,7 @@
 use plm_impact::contact::law::published::{MAX_CLIPPING, MAX_PARABOLOID_RADIUS_RATIO};
 use plm_impact::contact::pair::ALONE_FROM;
 use plm_impact::impact::limits::*;
-use plm_impact::impact::problem::plate::MAX_ZENER_NUMBER;
+use plm_impact::impact::problem::waveguide::MAX_ZENER_NUMBER;
 use plm_impact::strings::markdown_table;
 
 use crate::common::golden::assert_golden_part;
@@ -107,6 +107,12 @@ fn rows() -> Vec<[String; 3]> {
             "deflection over thickness",
             at_most(MAX_DEFLECTION_OVER_THICKNESS),
             "warns: the plate is stiffer than computed",
+        ),
+        row("`rod_wave_transits` of a rod", at_least(MIN_ROD_TRANSITS), "warns: e and the stress are estimates"),
+        row(
+            "contact radius over the radius of a rod",
+            at_most(MAX_CONTACT_OVER_ROD_RADIUS),
+            "warns: the result is an estimate",
         ),
         row("Zener's number λ", at_most(MAX_MEASURED_ZENER_NUMBER), "warns: e is close to 0 and uncertain"),
         row("Zener's number λ", at_most(MAX_ZENER_NUMBER), "stops: no measurable rebound"),

@@ -125,6 +125,7 @@ fn every_key_has_effect_or_reason() {
         &["solver.method=auto", "solver.tolerance=1e-9", "half_space.density=7850", "law.stronge.unloading_factor=1.1"],
         &["solver.method=verlet", "solver.tolerance=1e-9", "sphere.youngs_modulus=rigid", "sphere.yield_strength=8e8"],
         &["half_space.density=7850", "half_space.thickness=0.02", "half_space.edge_distance=0.01"],
+        &["half_space.density=7850", "half_space.rod_diameter=0.02", "half_space.rod_length=0.01"],
         &["damping.viscous=0.1", "solver.method=auto", "solver.tolerance=1e-9"],
         &["damping.viscoelastic_time=1e-6", "solver.method=auto"],
         &["adhesion.work=0.05", "solver.method=auto"],

@@ -94,7 +94,7 @@ fn a_diameter_is_twice_the_radius() {
 }
 
 /// Keys by how they begin, what each needs beside it, and the line of the steel scenario that it takes the place of.
-const REQUIRED_LINES: [(&str, &str, &str); 17] = [
+const REQUIRED_LINES: [(&str, &str, &str); 19] = [
     ("sphere.mass", "sphere.mass=7", "density = \"7850 kg/m^3\"\n"),
     ("half_space.hardness", "half_space.hardness=7e9", "yield_strength = \"345 MPa\"\n"),
     ("sphere.hardness", "sphere.hardness=7e9", ""),
@@ -107,6 +107,8 @@ const REQUIRED_LINES: [(&str, &str, &str); 17] = [
     // a plate needs a density, and an edge needs a plate
     ("half_space.thickness", "half_space.density=7 & half_space.thickness=7", ""),
     ("half_space.edge_distance", "half_space.density=7 & half_space.thickness=7", ""),
+    ("half_space.rod_diameter", "half_space.density=7 & half_space.rod_diameter=7", ""),
+    ("half_space.rod_length", "half_space.density=7 & half_space.rod_diameter=7", ""),
     ("peening.", "peening.coverage=0.25 & peening.mass_flow=7 & peening.area=7", ""),
     // what flies falls from a height
     ("air.", "impact.drop_height=7 & air.density=1 & air.drag=0.5", "speed = \"3 m/s\"\n"),

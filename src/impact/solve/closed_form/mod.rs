@@ -17,7 +17,7 @@ use crate::numerics::functions::atan;
 use crate::numerics::ode::IntegrationError;
 use crate::numerics::power::{arctangent, power_time};
 
-/// The outcome of an impact at q = v/V by the balance of energy; `None` with damping or on a plate. Under gravity the times
+/// The outcome of an impact at q = v/V by the balance of energy; `None` with damping, and on a plate or rod. Under gravity the times
 /// have this relative tolerance, else all is exact to rounding.
 ///
 /// # Errors

@@ -24,8 +24,8 @@ def impacts(contact: _core.Contact, /, **keys: ArrayLike) -> Table:
     `recovered_fraction`; if a body yields, `residual_indentation_m`, `dent_diameter_m`, `plastic_fraction`, and `flat_depth_m` if
     the sphere may; if a body has a material by name, a hardness, or `strength_kind = "proof"`, the interval of e,
     `restitution_interval_low` and `restitution_interval_high`; if the half-space has a density, `wave_loss_fraction` and
-    `restitution_with_waves`, and if it has a mass, `target_speed_m_per_s`; on a plate, `plate_loss_fraction` and others;
-    with a work of adhesion, `sticking_speed_m_per_s` and `restitution_with_adhesion`; and
+    `restitution_with_waves`, and if it has a mass, `target_speed_m_per_s`; on a plate or rod, `plate_loss_fraction` or
+    `rod_loss_fraction` and others; with a work of adhesion, `sticking_speed_m_per_s` and `restitution_with_adhesion`; and
     `status`, which is "ok" or says why a row has no numbers (they are NaN then, and a ModelWarning says how many).
     scenarios/results.md says what each column is.
 

@@ -6,6 +6,7 @@ export const EXPERIMENTS = [
   { name: "shot-peening", title: "Shot peening: ten shots on one spot" },
   { name: "table-tennis-bounce", title: "Table-tennis bounce" },
   { name: "oblique-glass-marble", title: "Oblique impact of a glass marble" },
+  { name: "hopkinson-bar", title: "Hopkinson bar" },
 ];
 
 /** The file of an experiment. */

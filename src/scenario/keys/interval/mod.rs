@@ -13,7 +13,7 @@ pub mod law_error;
 mod strength;
 
 use crate::contact::law::LawChoice;
-use crate::impact::{Approach, Bias, Contact, Forces, ImpactRow, Plate, PlateTheory, Solver};
+use crate::impact::{Approach, Bias, Contact, Forces, ImpactRow, Plate, PlateTheory, Solver, Waveguide};
 use crate::numerics::functions::powi;
 pub use crate::results::restitution_interval::{IntervalPart, PartKind, RestitutionInterval, SMALL};
 use crate::results::restitution_interval::{LAW_BIAS, LAW_SCATTER};
@@ -132,12 +132,15 @@ impl Uncertainty {
 /// plate, and the loss of a thick plate exceeds that theory by at most a quarter of this term.
 fn contact_of_other_theory(contact: &Contact) -> Option<(Contact, f64)> {
     let forces = contact.forces();
-    let plate = forces.plate?;
+    let plate = *forces.waveguide.as_ref()?.plate()?;
     let (theory, share) = match plate.theory {
         PlateTheory::Zener => (PlateTheory::Thick, 1.0),
         PlateTheory::Thick => (PlateTheory::Zener, 0.25),
     };
-    Some((contact.clone().with_forces(Forces { plate: Some(Plate { theory, ..plate }), ..*forces }), share))
+    Some((
+        contact.clone().with_forces(Forces { waveguide: Some(Waveguide::Plate(Plate { theory, ..plate })), ..*forces }),
+        share,
+    ))
 }
 
 /// The interval of the restitution of an impact of this input and its contact; `None` where [`Uncertainty`] has none.

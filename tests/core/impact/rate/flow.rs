@@ -128,7 +128,7 @@ fn plate_keeps_momentum_at_relaxation() {
             assert!(relative_error(impulse, momentum) < 1e-6, "{impulse} {momentum}");
             let shares = impact.row.recovered_fraction()
                 + impact.row.plastic_fraction
-                + impact.row.plate_loss_fraction().unwrap();
+                + impact.row.waveguide_loss_fraction(WaveguideKind::Plate).unwrap();
             assert!(
                 (shares - 1.0).abs() < 1e-9 && impact.energy.balance_error < 1e-9,
                 "{shares} {}",

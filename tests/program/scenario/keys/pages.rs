@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use plm_impact::report::text::{calibrate, check, indentation, materials, sweep, testers, units};
 use plm_impact::results::series;
-use plm_impact::results::{NumberFormat, ResultSpec, impact, trace};
+use plm_impact::results::{NumberFormat, ResultSpec, impact, pulse, trace};
 use plm_impact::scenario::key_docs::form_as_markdown;
 use plm_impact::scenario::keys::key_spec::KeySpec;
 use plm_impact::strings::markdown_table;
@@ -64,10 +64,12 @@ fn file<T>(title: &str, results: &[ResultSpec<T>]) -> FileOfResults {
 }
 
 /// The files of results of every kind of scene.
-fn files() -> [FileOfResults; 14] {
+fn files() -> [FileOfResults; 16] {
     [
         file("One impact: `summary.json`, and columns of tables (\u{25a6})", &impact::impact_results()),
         file("One impact: `trace.csv`", &trace::trace_results()),
+        file("One impact: `pulse.csv`", &pulse::pulse_results()),
+        file("One impact: `spectrum.csv`", &pulse::spectrum_results()),
         file("Repeated impacts: `summary.json`", &series::series_results()),
         file("Repeated impacts: `impacts.csv`", &series::impact_columns()),
         file("Repeated impacts: `trace.csv`", &series::trace_columns()),
