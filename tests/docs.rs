@@ -267,17 +267,19 @@ fn strains_in_guide_are_those_of_the_first_scenario() {
 #[test]
 fn numbers_of_pulses_in_guide_are_computed() {
     let clone = Clone::new();
-    let run = |more: &str| {
-        let line = format!("plm-impact run scenarios/ball-drop-as-source.toml --json --pictures none{more}");
+    let run = |out: &str, more: &str| {
+        let line =
+            format!("plm-impact run scenarios/ball-drop-as-source.toml --json --pictures none --out {out}{more}");
         let summary: serde_json::Value = serde_json::from_str(&clone.shell(&line, 0)).unwrap();
-        let csv = fs::read_to_string(clone.path().join("plots/ball-drop-as-source/pulse.csv")).unwrap();
+        let csv = fs::read_to_string(clone.path().join(out).join("pulse.csv")).unwrap();
         let forces = csv.lines().skip(1).map(|line| line.split_once(',').unwrap().1.parse::<f64>().unwrap());
         let names = ["impulse_N_s", "corner_frequency_Hz", "first_minimum_Hz"];
         let [impulse, corner, minimum] = names.map(|name| summary["pulse"][name].as_f64().unwrap());
         (forces.collect::<Vec<_>>(), summary["contact_time_s"].as_f64().unwrap(), impulse, corner, minimum)
     };
-    let (forces, _, impulse, corner, minimum) = run("");
-    let (exact, time, elastic_impulse, elastic_corner, elastic_minimum) = run(" --set half_space.yield_strength=none");
+    let (forces, _, impulse, corner, minimum) = run("dented", "");
+    let (exact, time, elastic_impulse, elastic_corner, elastic_minimum) =
+        run("elastic", " --set half_space.yield_strength=none");
     let lowest = 1e-8 * magnitude_at(&forces, 1e-8 * minimum) / impulse;
     let sine = |k: usize| (PI * (1e-8 * k as f64 / time).min(1.0)).sin().max(0.0).powf(1.5);
     let sines: Vec<f64> = (0..exact.len()).map(sine).collect();

@@ -278,6 +278,6 @@ mod tests {
         // η √g' and θ g'
         assert_eq!(both.rates_at_force(1.0, || 2.25), (0.2 * 1.5, 3.0 * 2.25));
         let viscoelastic = DampingCoefficients { viscoelastic: 0.2, ..DampingCoefficients::NONE };
-        assert_eq!(viscoelastic.rates_at_force(1.0, || 2.25), (0.2 * 2.25, 0.0));
+        assert_eq!(viscoelastic.rates_at_force(1.0, || 4.0), (0.2 * 4.0, 0.0));
     }
 }

@@ -50,7 +50,10 @@ fn transform_of_sine_power_has_known_zero() {
     // |F| falls and rises linearly beside a zero
     let lowest = (1..9_000).min_by(|a, b| all[*a].total_cmp(&all[*b])).unwrap();
     let first = (1..100).find(|j| all[j + 1] > all[*j]).unwrap();
-    assert!((f64::from(first as u32) * 4000.0 / f64::from(1 << 17) - 1.75).abs() < 4000.0 / f64::from(1 << 17));
+    assert!(
+        (f64::from(u32::try_from(first).unwrap()) * 4000.0 / f64::from(1 << 17) - 1.75).abs()
+            < 4000.0 / f64::from(1 << 17)
+    );
     assert!(all[lowest] < 1e-3 * all[0]);
 }
 
