@@ -232,13 +232,12 @@ impl ImpactRow {
 
     /// The results of a waveguide of this kind, if the target is one.
     pub fn waveguide_of(&self, kind: WaveguideKind) -> Option<&WaveguideResult> {
-        self.waveguide.as_ref().filter(|waveguide| waveguide.guide.kind() == kind)
+        self.waveguide.as_ref().filter(|waveguide| waveguide.kind == kind)
     }
 
     /// F_m/A \[Pa\], if the target is a rod.
     pub fn rod_peak_stress(&self) -> Option<f64> {
-        let rod = *self.waveguide.as_ref()?.guide.rod()?;
-        Some(self.peak_force / rod.cross_section())
+        Some(self.peak_force / self.waveguide.as_ref()?.rod_cross_section?)
     }
 
     /// Fraction of the kinetic energy that a waveguide of this kind absorbs \[1\].

@@ -1,15 +1,18 @@
 //! The additional results of an impact on a plate or a rod.
 
 use crate::impact::problem::forces::ScaledForces;
+use crate::impact::problem::rod::Rod;
 use crate::impact::problem::scales::{FORCE_FACTOR, kinetic_energy};
-use crate::impact::problem::waveguide::{ScaledWaveguide, Waveguide};
+use crate::impact::problem::waveguide::{ScaledWaveguide, WaveguideKind};
 use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
 
 /// The additional results of an impact on a waveguide; [`crate::impact::problem::waveguide`] has the equations. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WaveguideResult {
-    pub guide: Waveguide,
+    pub kind: WaveguideKind,
+    /// Cross section of a rod \[m²\].
+    pub rod_cross_section: Option<f64>,
     /// λ \[1\].
     pub zener_number: f64,
     /// X \[1\]: number of plate thicknesses or rod diameters that a wave travels in the contact time on a half-space.
@@ -43,7 +46,8 @@ impl WaveguideResult {
         let moved = y * (weight * outcome.contact_time + (q - u - y * f) / FORCE_FACTOR);
         let energy = outcome.loss - y * f * u / FORCE_FACTOR - kinetic_energy(y * f) + weight * moved;
         Some(Self {
-            guide: target.guide,
+            kind: target.guide.kind(),
+            rod_cross_section: target.guide.rod().map(Rod::cross_section),
             zener_number,
             wave_transits,
             energy: energy * scales.units.energy(),

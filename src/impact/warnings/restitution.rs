@@ -30,7 +30,10 @@ pub(super) fn restitution_warnings(contact: &Contact, speed: f64, pressure: f64,
     warnings.extend(negative_ratio_warning(contact, row));
     warnings.extend(short_contact_warning(contact, row.contact_time));
     warnings.extend(adhesion_warning(contact, speed));
-    warnings.extend(row.waveguide.iter().flat_map(|result| waveguide_warnings(result, row.peak_contact_radius)));
+    let waveguide = contact.forces().waveguide.as_ref().zip(row.waveguide.as_ref());
+    warnings.extend(
+        waveguide.into_iter().flat_map(|(guide, result)| waveguide_warnings(guide, result, row.peak_contact_radius)),
+    );
     warnings
 }
 

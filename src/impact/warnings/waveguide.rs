@@ -6,14 +6,14 @@ use super::limits::{
 };
 use crate::impact::problem::plate::{Plate, PlateTheory};
 use crate::impact::problem::rod::Rod;
-use crate::impact::problem::waveguide::Waveguide;
+use crate::impact::problem::waveguide::{Waveguide, WaveguideKind};
 use crate::impact::result::warning::{Warning, WarningKind};
 use crate::impact::result::waveguide::WaveguideResult;
 use crate::units::{Dimension, format_input};
 
 /// The warnings for a waveguide, hit with this contact radius \[m\].
-pub(super) fn waveguide_warnings(result: &WaveguideResult, contact_radius: f64) -> Vec<Warning> {
-    let mut warnings = match &result.guide {
+pub(super) fn waveguide_warnings(guide: &Waveguide, result: &WaveguideResult, contact_radius: f64) -> Vec<Warning> {
+    let mut warnings = match guide {
         Waveguide::Plate(plate) => plate_warnings(plate, result, contact_radius),
         Waveguide::Rod(rod) => rod_warnings(rod, result, contact_radius),
     };
@@ -25,9 +25,9 @@ pub(super) fn waveguide_warnings(result: &WaveguideResult, contact_radius: f64) 
 fn inelastic_warning(result: &WaveguideResult) -> Option<Warning> {
     let number = result.zener_number;
     Warning::new_if(number > MAX_MEASURED_ZENER_NUMBER, WarningKind::InelasticWaveguide, number, || {
-        let (size, model) = match result.guide {
-            Waveguide::Plate(_) => ("thickness", "the plate model"),
-            Waveguide::Rod(_) => ("diameter of the rod", "the same equation for plates"),
+        let (size, model) = match result.kind {
+            WaveguideKind::Plate => ("thickness", "the plate model"),
+            WaveguideKind::Rod => ("diameter of the rod", "the same equation for plates"),
         };
         format!(
             "e is close to 0 and very sensitive to the {size}. Zener's number {number:.2} exceeds {MAX_MEASURED_ZENER_NUMBER}, up to which measured contact times confirm {model}."

@@ -42,7 +42,7 @@ pub fn spectrum(impact: &Impact, pulse: &Pulse) -> Chart {
         frequency.map(|at| Series::vertical(at, name).with_note(format_result(at, Dimension::Frequency)))
     };
     let guides: Vec<Series> =
-        [guide(pulse.corner_frequency, "corner frequency"), guide(pulse.first_minimum, "first minimum")]
+        [guide(pulse.corner_frequency, "Corner frequency"), guide(pulse.first_minimum, "First minimum")]
             .into_iter()
             .flatten()
             .collect();

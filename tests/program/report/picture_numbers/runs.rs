@@ -54,6 +54,36 @@ fn impacts() -> Vec<Drawing> {
     ]
 }
 
+/// The force of an impact over time and over frequency. The picture of the spectrum ends before the spectrum does.
+fn pulses() -> Vec<Drawing> {
+    let lines = |desk: &Sandbox| -> Points {
+        let mut lines = columns("spectrum", &[], ["frequency_Hz", "force_spectrum_N_s"])(desk);
+        lines.retain(|(frequency, _)| (1.0..5e5).contains(frequency));
+        lines
+    };
+    vec![drawing(
+        format!("{STEEL}[output]\npulse = {{ step = \"50 ns\" }}\n"),
+        vec![
+            shown("pulse::pulse", "pulse", 0, Line(PURPLE), columns("pulse", &[], ["time_s", "force_N"])),
+            shown("pulse::spectrum", "spectrum", 0, Through(PURPLE), lines),
+        ],
+    )]
+}
+
+/// The first curve is solid, and the second is dashed.
+fn traces() -> Vec<Drawing> {
+    let first = |kind, picture, column| {
+        shown(kind, picture, 0, Line(BLUE), columns("traces", &[("case", "0")], [column, "force_N"]))
+    };
+    vec![drawing(
+        format!("{STEEL}[output]\ntraces = true\n[sweep]\n\"impact.speed\" = [1, 3]\n"),
+        vec![
+            first("traces::charts", "force_time", "time_s"),
+            first("traces::indentation_chart", "force_indentation", "indentation_m"),
+        ],
+    )]
+}
+
 fn sweeps() -> Vec<Drawing> {
     let speeds = "[sweep]\n\"impact.speed\" = { logspace = [0.01, 10], points = 9 }\n";
     let angles = "[sweep]\n\"impact.angle\" = { linspace = [\"5 deg\", \"85 deg\"], points = 17 }\n";
@@ -188,8 +218,9 @@ fn indentations() -> Vec<Drawing> {
     ]
 }
 
-pub static ALL: LazyLock<Vec<Drawing>> =
-    LazyLock::new(|| [impacts(), sweeps(), repeats(), indentations()].into_iter().flatten().collect());
+pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
+    [impacts(), pulses(), traces(), sweeps(), repeats(), indentations()].into_iter().flatten().collect()
+});
 
 #[test]
 fn run_pictures_show_numbers_of_tables() {
