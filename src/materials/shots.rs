@@ -29,7 +29,8 @@ impl ShotKind {
     /// The material of the library with the density and the elastic constants of this shot, if the library has one.
     pub fn material(self) -> Option<&'static MaterialEntry> {
         match self {
-            Self::CastSteel | Self::CutWire => super::find("steel-52100-hardened"),
+            Self::CastSteel => super::find("steel-shot-cast"),
+            Self::CutWire => super::find("steel-52100-hardened"),
             Self::Glass => super::find("glass-soda-lime"),
             Self::Ceramic => None,
         }

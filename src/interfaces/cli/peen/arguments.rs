@@ -23,7 +23,7 @@ pub struct PeenArguments {
     /// Diameter of the shot, such as "0.6 mm"
     #[arg(long, group = "size")]
     pub diameter: Option<String>,
-    /// Material of the shot [default: bearing steel for S and CW, soda-lime glass for GB]
+    /// Material of the shot [default: cast steel for S, bearing steel for CW, soda-lime glass for GB]
     #[arg(long, value_name = "MATERIAL")]
     pub shot_material: Option<String>,
     /// Hardness of the shot, such as "46 HRC"
