@@ -228,7 +228,7 @@ fn value(label: &str) -> f64 {
 /// A unit in SI units; degrees stay degrees.
 fn factor(unit: &str) -> f64 {
     let prefixes = [("n", 1e-9), ("µ", 1e-6), ("m", 1e-3), ("k", 1e3), ("M", 1e6), ("G", 1e9)];
-    let is_bare = |rest: &str| ["m", "s", "N", "Pa", "m/s"].contains(&rest);
+    let is_bare = |rest: &str| ["m", "s", "N", "Pa", "m/s", "Hz", "N s"].contains(&rest);
     let known = prefixes.iter().find(|(prefix, _)| unit.strip_prefix(prefix).is_some_and(is_bare));
     known.map_or(1.0, |(_, factor)| *factor)
 }
