@@ -20,7 +20,7 @@ use crate::scenario::kinds::inverse::{InverseRequest, RANGE_OPTIONS};
 use crate::scenario::plan::FreeKey;
 use crate::units::{Dimension, format_four_digits, format_input};
 
-/// Cells along the range of the key. Two solutions in one cell are not told apart.
+/// Cells along the range of the key. Two solutions in one cell count as one.
 const CELLS: u32 = 512;
 /// Tolerance of the share of the range.
 const TOLERANCE: f64 = 1e-13;

@@ -56,7 +56,7 @@ pub const SCLEROSCOPE: ReboundTester = ReboundTester {
     has_diamond_tip: true,
 };
 
-/// The body of a scenario, as far as a tester is recognised by it.
+/// The properties of a body by which a tester is recognised.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpactBody {
     /// \[kg\]

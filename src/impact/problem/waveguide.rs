@@ -101,7 +101,7 @@ pub struct WaveguideError {
     pub reason: WaveguideFault,
 }
 
-/// What makes an impact on a waveguide impossible.
+/// The reason why an impact on a waveguide is impossible.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WaveguideFault {
     /// The density of the waveguide is not given.

@@ -96,7 +96,7 @@ impl<'a> FixedStepRun<'a> {
         self.motion.contact.branch_from(self.peak.distance)
     }
 
-    /// How the run ends with the last step, in which the law and all forces push like this; `None` if it goes on.
+    /// How the run ends with the last step, in which the law and all forces push like this; `None` if another step follows.
     fn end(&self, force: f64, total: f64) -> Option<ImpactEnd> {
         let Self { motion, forces, .. } = self;
         let (is_back, speed) = (self.is_rebounding(), motion.state.speed);

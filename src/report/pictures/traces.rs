@@ -29,7 +29,7 @@ fn curve_name(axes: &[SweepAxis], places: &[u64]) -> String {
     varied.map(|(axis, place)| value_label(axis, *place)).collect::<Vec<_>>().join(", ")
 }
 
-/// What the values of the key belong to: " by impact speed and half-space yield strength".
+/// The end of a title, with the axes to which the values of the key belong: " by impact speed and half-space yield strength".
 fn title_end(axes: &[SweepAxis]) -> String {
     let words: Vec<String> = axes.iter().filter(|axis| axis.len() > 1).map(axis_words).collect();
     if words.is_empty() { String::new() } else { format!(" by {}", words.join(" and ")) }

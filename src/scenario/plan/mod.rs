@@ -44,7 +44,7 @@ pub struct Plan {
     pub has_traces: bool,
 }
 
-/// Maximum number of rows of a table with traces: this number of curves can be told apart in a picture.
+/// Maximum number of rows of a table with traces: a reader can distinguish this number of curves in a picture.
 pub const MAX_TRACES: u64 = 12;
 
 /// Maximum number of cases. Every tool can represent a case number of this size.

@@ -72,7 +72,7 @@ impl Calibration {
         if lines.is_empty() { text } else { format!("{text}[calibrate]\n{lines}\n") }
     }
 
-    /// What is wrong of its results.
+    /// The faults of its results.
     fn wrong(&self, table: &Table) -> Vec<String> {
         let folder = Sandbox::with(self.scenario(table));
         if let Some(data) = &self.data {

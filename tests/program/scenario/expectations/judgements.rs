@@ -3,7 +3,7 @@
 use super::{Expectations, Row, Scene, scenes};
 use crate::common::prelude::*;
 
-/// What is wrong of a row: the words that are expected and not met, and those behind a `!` that are met.
+/// The faults of a row: the words that are expected and not met, and those behind a `!` that are met.
 fn unmet(row: &Row, got: &str, is_met: impl Fn(&str) -> bool) -> Vec<String> {
     let is_wrong = |words: &&String| match words.strip_prefix('!') {
         Some(words) => is_met(words),
@@ -12,7 +12,7 @@ fn unmet(row: &Row, got: &str, is_met: impl Fn(&str) -> bool) -> Vec<String> {
     row.words.iter().filter(is_wrong).map(|words| format!("{}: {words:?} is wrong for\n{got}", row.name)).collect()
 }
 
-/// What is wrong of a text: words behind a `^` are its first.
+/// The faults of a text: words behind a `^` are its first.
 fn wrong_words(row: &Row, got: &str) -> Vec<String> {
     unmet(row, got, |words| words.strip_prefix('^').map_or_else(|| got.contains(words), |first| got.starts_with(first)))
 }
