@@ -15,6 +15,7 @@ __all__ = [
     "__version__",
     "arrow_stream",
     "calibrate",
+    "find",
     "laws",
     "materials",
     "numeric_keys",
