@@ -46,7 +46,7 @@ fn rows() -> Vec<[String; 3]> {
         row("limited quantity", "limit".to_owned(), "beyond the limit the program"),
         row("a/R, the half-space yields", at_most(of_half_space()), ESTIMATE),
         row(
-            "a/R, the half-space yields without a flow curve, under a ball of at least a third of the modulus of the half-space",
+            "a/R, the half-space yields, the scenario has no flow curve, and Young's modulus of the ball is at least a third of the modulus of the half-space",
             at_most(MAX_SOFT_RADIUS_RATIO),
             "warns: e may be up to 6 % too high",
         ),

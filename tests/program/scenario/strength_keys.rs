@@ -169,7 +169,7 @@ fn e_of_quenched_steels_is_biased_low() {
     assert!(comparison::mean(&fast).abs() < 1.5, "{fast:?}");
     // by range of hardness, as the guide says
     let [soft, hard] = [&fast[..8], &fast[8..]].map(comparison::mean);
-    let row = format!("too low by {:.1} % up to 400 HV, too high by {:.1} % above", -soft, hard);
+    let row = format!("on average {:.1} % too low below 400 HV, and {:.1} % too high above", -soft, hard);
     assert!(guide.contains(&row), "{row} {fast:?}");
 }
 
