@@ -10,6 +10,7 @@ use crate::report::chart::{PictureFormat, Series, Style};
 use crate::report::pictures::sweep::pictures;
 use crate::report::run::{Outcome, RunOptions, impact, run as run_scenario, table};
 use crate::report::text::Detail;
+use crate::results::RESTITUTION;
 use crate::scenario::keys::key;
 use crate::scenario::plan::Plan;
 use crate::scenario::{Kind, Scenario};
@@ -74,7 +75,7 @@ fn curve(scenario: &Scenario, format: PictureFormat) -> Result<Option<Value>, Er
     let source = scenario.source();
     let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis.into()])?;
     let mut plan = swept.plan()?;
-    plan.columns = Some(vec!["restitution"]);
+    plan.columns = Some(vec![RESTITUTION]);
     let mut files = Vec::new();
     if format != PictureFormat::None {
         let Some((_, mut chart)) = pictures(&plan, &Tally::new(&plan)).into_iter().next() else { return Ok(None) };

@@ -227,13 +227,12 @@ pub fn overview(
     notes: &[String],
 ) -> String {
     let mut rows = overview::input_rows(&inputs(scenario, scene));
-    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {
         let (kind, value) = match *target {
             SetPoint::Load(load) => ("load", format_si_and_short(load, Dimension::Force)),
             SetPoint::Indentation(indentation) => ("indentation", format_si_and_short(indentation, Dimension::Length)),
         };
-        row(&format!("step {i}"), format!("{kind} {value}"));
+        rows.push([format!("step {i}"), format!("{kind} {value}")]);
     }
     for one in tested {
         rows.push([String::new(), String::new()]);

@@ -249,13 +249,13 @@ impl Input {
         forces.gravity.is_some() || method.is_some_and(|method| method != Method::ClosedForm)
     }
 
-    /// Evenly spaced rows of the trace.
     /// The request of a pulse, if there is one.
     pub fn pulse(&self) -> Option<PulseRequest> {
         let step = self.number(key!("output.pulse.step"))?;
         Some(PulseRequest { step, padding: self.count(key!("output.pulse.padding")) })
     }
 
+    /// Evenly spaced rows of the trace.
     pub fn samples(&self) -> usize {
         self.count(key!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES)
     }

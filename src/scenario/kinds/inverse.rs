@@ -95,9 +95,7 @@ impl Scenario {
     fn varying(&self, free: &FreeKey, result: &str) -> Result<Self, Error> {
         let mut source = self.source();
         let path = free.key.path();
-        let end =
-            |value: f64| free.to_scenario_text(value).map_or_else(|| format!("{value:?}"), |text| format!("{text:?}"));
-        source.overrides.push(format!("sweep.\"{path}\"=[{}, {}]", end(free.from), end(free.to)));
+        source.overrides.push(format!("sweep.\"{path}\"=[{}, {}]", free.to_toml(free.from), free.to_toml(free.to)));
         if result != RESTITUTION && result_columns().iter().any(|column| column.name == result) {
             source.overrides.push(format!("output.columns=[\"{result}\"]"));
         }
@@ -107,8 +105,7 @@ impl Scenario {
     /// The scenario with this value of the key.
     pub fn with_value(&self, free: &FreeKey, value: f64) -> Result<Self, Error> {
         let mut source = self.source();
-        let text = free.to_scenario_text(value).map_or_else(|| format!("{value:?}"), |text| format!("{text:?}"));
-        source.overrides.push(format!("{}={text}", free.key.path()));
+        source.overrides.push(format!("{}={}", free.key.path(), free.to_toml(value)));
         Self::from_source(self.document.name(), &source)
     }
 

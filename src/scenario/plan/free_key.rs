@@ -72,6 +72,11 @@ impl FreeKey {
         (dimension != Dimension::Ratio).then(|| on_scale().unwrap_or_else(|| format_exact(value, dimension)))
     }
 
+    /// A value as in a scenario, in TOML: a text with its unit, or a plain number.
+    pub fn to_toml(&self, value: f64) -> String {
+        self.to_scenario_text(value).map_or_else(|| format!("{value:?}"), |text| format!("{text:?}"))
+    }
+
     /// A value as in a scenario, with its unit and `digits` digits.
     pub fn to_rounded_text(&self, value: f64, digits: usize) -> String {
         if let Some((number, scale)) = self.hardness_number(value) {
