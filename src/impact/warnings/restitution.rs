@@ -147,11 +147,11 @@ fn adhesion_warning(contact: &Contact, speed: f64) -> Option<Warning> {
     Warning::new_if(is_slow, WarningKind::Adhesion, sticking / speed, || {
         if contact.adhesion_work().is_some() {
             format!(
-                "restitution does not contain adhesion, and is too high. For a work of adhesion of {of_work} an elastic sphere sticks below {sticks}; above {negligible} the error of e is 1 % or less. Use restitution_with_adhesion."
+                "restitution does not contain adhesion, and is too high. For a work of adhesion of {of_work} an elastic sphere sticks below {sticks}; above {negligible} adhesion lowers e by at most 1 %/e^2. Use restitution_with_adhesion."
             )
         } else {
             format!(
-                "e is too high, because adhesion is not modelled. For a work of adhesion of {of_work} the sphere sticks below {sticks}; above {negligible} the error of e is 1 % or less. Give adhesion.work for the restitution with adhesion."
+                "e is too high, because adhesion is not modelled. For a work of adhesion of {of_work} the sphere sticks below {sticks}; above {negligible} adhesion lowers e by at most 1 %/e^2. Give adhesion.work for the restitution with adhesion."
             )
         }
     })
