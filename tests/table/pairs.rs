@@ -18,7 +18,7 @@ const SMALL: &str = "sphere.radius=5e-4";
 const SOFT_SPHERE: [&str; 2] = ["half_space.yield_strength=none", "sphere.yield_strength=3e8"];
 
 /// Scenes that together give all numeric keys.
-const SCENES: [&[&str]; 30] = [
+const SCENES: [&[&str]; 32] = [
     &[FALL, AIR, SMALL, "half_space.radius=0.02", "half_space.density=7850"],
     &[
         FALL,
@@ -57,6 +57,8 @@ const SCENES: [&[&str]; 30] = [
     &["law={yigit_christoforou={yield_factor=1.6}}"],
     &["law={ma_liu={hardness_ratio=2.8,transition_ratio=110.0}}"],
     &["law={mesarovic_johnson={area_factor=1.4}}"],
+    &["damping.viscoelastic_time=1e-6"],
+    &["adhesion.work=0.05"],
     &["law={walton_braun={loading_stiffness=1.1,stiffness_ratio=0.5}}"],
     &["law={johnson={dynamic_pressure=1e9}}"],
 ];
