@@ -1,10 +1,8 @@
 //! Lines for the engines of robots and machines: Drake, MuJoCo, Chrono. Each has its own equation of a contact, and the parameters
 //! are those at which this equation gives e and contact time of the law at the speed of the impact.
 
-use std::f64::consts::PI;
-
 use super::exporter::Exporter;
-use super::one_contact::restitution_and_time;
+use super::one_contact::{damped_hertz_contact, restitution_and_time, restitution_of_ratio};
 use super::springs::non_cohesive_spring;
 use crate::error::Error;
 use crate::numerics::functions::{ln_1p, pow};
@@ -28,14 +26,9 @@ fn hunt_crossley_damping(e: f64) -> f64 {
     bisect(1e-6, (1.0 - 1e-15) / e, |dv| excess(dv) > 0.0).0
 }
 
-/// e and scaled contact time of Chrono's Hertz contact with this β = −ln cr/√(ln² cr + π²): x^1.5 + 2 √(5/6) β √(3/2) x^(1/4) x'.
-fn chrono_contact(beta: f64) -> (f64, f64) {
-    let factor = 2.0 * (5.0_f64 / 6.0).sqrt() * 1.5_f64.sqrt() * beta;
-    restitution_and_time(|x, u| x * x.sqrt() + factor * x.sqrt().sqrt() * u)
-}
-
 impl Exporter<'_> {
-    fn require_rebound(&self, code: &str) -> Result<(), Error> {
+    /// Refuses an e that is too small for the damping of a code.
+    pub(super) fn require_rebound(&self, code: &str) -> Result<(), Error> {
         if self.e >= MIN_RESTITUTION {
             return Ok(());
         }
@@ -97,16 +90,16 @@ impl Exporter<'_> {
     /// restitution of the material, cr, is a little less than e.
     pub(super) fn chrono(&self) -> Result<String, Error> {
         self.require_rebound("chrono")?;
-        let (beta, _) = bisect(0.0, 1.0, |beta| chrono_contact(beta).0 > self.e);
+        let (beta, _) = bisect(0.0, 1.0, |beta| damped_hertz_contact(beta).0 > self.e);
         if beta >= 1.0 - 1e-9 {
             let message =
                 format!("--to chrono: this contact has no e as small as {:.4}. Give a lower --speed.", self.e);
             return Err(Error::input(message));
         }
-        let restitution = crate::numerics::functions::exp(-PI * beta / (1.0 - beta * beta).sqrt());
+        let restitution = restitution_of_ratio(beta);
         let (speed, mass) = (self.impact.speed, self.contact.contact.reduced_mass());
         // the unit of length is that of m v²/L = K L^1.5, and the unit of time is L/v
-        let length = speed * self.impact.row.contact_time / chrono_contact(beta).1;
+        let length = speed * self.impact.row.contact_time / damped_hertz_contact(beta).1;
         let stiffness = mass * speed * speed / pow(length, 2.5);
         let radius = self.contact.contact.pair().radius;
         let modulus = 2.0 * (1.0 - POISSONS_RATIO * POISSONS_RATIO) * 0.75 * stiffness / radius.sqrt();

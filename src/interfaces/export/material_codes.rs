@@ -12,32 +12,22 @@
 //! If the equation holds until the overlap ends, the first equation has exactly the e of β, at every speed (Antypov and Elliott 2011).
 //! The second equation is the first one with √(4/5) of its damping.
 
-use std::f64::consts::PI;
-
 use super::exporter::Exporter;
-use super::one_contact::restitution_and_time;
+use super::one_contact::{damped_hertz_contact, damping_ratio, restitution_of_ratio};
 use super::springs::steps_per_contact;
 use crate::contact::body::Material;
 use crate::error::Error;
-use crate::numerics::functions::{exp, ln, pow};
+use crate::numerics::functions::pow;
 
 /// The damping of MFiX over that of the equation with the e of β.
 const MFIX_DAMPING: f64 = 0.894_427_190_999_915_9; // √(4/5)
 /// Contact time of an elastic impact over largest indentation/impact speed: √π Γ(2/5)/Γ(9/10) · 4/5 (Hertz).
 const HERTZ_TIME: f64 = 2.943_275;
-/// e below which the damping of a code has no useful value.
-const MIN_RESTITUTION: f64 = 0.02;
-
-/// Fraction of critical damping of this e.
-fn damping_ratio(e: f64) -> f64 {
-    let loss = -ln(e);
-    loss / (PI * PI + loss * loss).sqrt()
-}
 
 /// The e that MFiX must be given for its equation to have this e. 0 if none is small enough.
 fn mfix_restitution(e: f64) -> f64 {
     let ratio = damping_ratio(e) / MFIX_DAMPING;
-    if ratio < 1.0 { exp(-PI * ratio / (1.0 - ratio * ratio).sqrt()) } else { 0.0 }
+    if ratio < 1.0 { restitution_of_ratio(ratio) } else { 0.0 }
 }
 
 /// The two bodies as a code asks for them: material, density \[kg/m³\].
@@ -57,12 +47,7 @@ impl Exporter<'_> {
             );
             return Err(Error::input(message));
         }
-        if self.e < MIN_RESTITUTION {
-            return Err(Error::input(format!(
-                "--to {code}: e is {:.4} at {} m/s, and this contact needs e of {MIN_RESTITUTION} or more. Give a lower --speed.",
-                self.e, self.impact.speed
-            )));
-        }
+        self.require_rebound(code)?;
         Ok(Bodies { sphere: (sphere.material, sphere.density), other: (half_space.material, half_space.density) })
     }
 
@@ -226,14 +211,16 @@ impl Exporter<'_> {
 
     /// e of a contact with the damping of this e, if the force is cut off where it would attract.
     fn e_without_attraction(&self) -> f64 {
-        let factor = 2.0 * (5.0_f64 / 6.0).sqrt() * 1.5_f64.sqrt() * damping_ratio(self.e);
-        restitution_and_time(|x, u| x * x.sqrt() + factor * x.sqrt().sqrt() * u).0
+        damped_hertz_contact(damping_ratio(self.e)).0
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
+    use crate::numerics::functions::exp;
 
     /// The equation of MFiX has √(4/5) of the damping of an equation whose e is known exactly: e = exp(−π β/√(1 − β²)).
     #[test]

@@ -1,6 +1,10 @@
 //! One contact of another code, by the equation of that code, in dimensionless form: e and the contact time. The parameters of an
 //! export are those at which this equation gives e and contact time of the law.
 
+use std::f64::consts::PI;
+
+use crate::numerics::functions::{exp, ln};
+
 /// Steps of the method of Runge and Kutta per unit of time. A contact takes about three units: errors are below 1e-7.
 const STEPS_PER_UNIT: f64 = 1000.0;
 /// A contact that takes longer does not end.
@@ -31,12 +35,28 @@ pub(super) fn restitution_and_time(force: impl Fn(f64, f64) -> f64) -> (f64, f64
     (0.0, MAX_TIME)
 }
 
+/// β = −ln e/√(π² + ln² e): the damping of a Hertz contact that has this e while its force may pull.
+pub(super) fn damping_ratio(e: f64) -> f64 {
+    let loss = -ln(e);
+    loss / (PI * PI + loss * loss).sqrt()
+}
+
+/// The e of a β below 1.
+pub(super) fn restitution_of_ratio(beta: f64) -> f64 {
+    exp(-PI * beta / (1.0 - beta * beta).sqrt())
+}
+
+/// e and the time of a damped Hertz contact that never pulls, x^1.5 + 2 √(5/6) β √(3/2) x^(1/4) x'.
+pub(super) fn damped_hertz_contact(beta: f64) -> (f64, f64) {
+    let factor = 2.0 * (5.0_f64 / 6.0).sqrt() * 1.5_f64.sqrt() * beta;
+    restitution_and_time(|x, u| x * x.sqrt() + factor * x.sqrt().sqrt() * u)
+}
+
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::PI;
 
     use super::*;
-    use crate::numerics::functions::{asin, cos, exp, sin};
+    use crate::numerics::functions::{asin, cos, sin};
 
     /// An undamped spring takes half a period, π; a damped one that never pulls has the e and the time of Schwager and Pöschel (2007).
     #[test]
