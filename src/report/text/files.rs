@@ -24,14 +24,26 @@ pub fn summary_json(
 /// The rows as CSV with a header line. A column with a condition is written if any row has a
 /// value for it.
 pub fn csv_bytes<T>(columns: &[ResultSpec<T>], rows: impl Iterator<Item = T> + Clone) -> Result<Vec<u8>, Error> {
-    let is_there =
-        |column: &&ResultSpec<T>| column.condition.is_empty() || rows.clone().any(|row| (column.value)(&row).is_some());
+    csv_bytes_after(&[], columns, rows.map(|row| (&[][..], row)))
+}
+
+/// The same, where each row begins with the values of these further columns.
+pub(super) fn csv_bytes_after<'a, T>(
+    first_names: &[String],
+    columns: &[ResultSpec<T>],
+    rows: impl Iterator<Item = (&'a [Value], T)> + Clone,
+) -> Result<Vec<u8>, Error> {
+    let is_there = |column: &&ResultSpec<T>| {
+        column.condition.is_empty() || rows.clone().any(|(_, row)| (column.value)(&row).is_some())
+    };
     let columns: Vec<_> = columns.iter().filter(is_there).collect();
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    writer.write_record(columns.iter().map(|column| column.name))?;
+    let names = columns.iter().map(|column| column.name);
+    writer.write_record(first_names.iter().map(String::as_str).chain(names))?;
     let mut fields = Vec::new();
-    for row in rows {
+    for (first, row) in rows {
         fields.clear();
+        fields.extend(first.iter().cloned().map(Some));
         fields.extend(columns.iter().map(|column| (column.value)(&row)));
         writer.serialize(&fields)?;
     }
