@@ -73,6 +73,16 @@ impl Scenario {
         Self::new(name.to_owned(), source.text.clone(), &overrides, PathBuf::new(), source.files.clone())
     }
 
+    /// A scenario of one impact with these settings, which make it a table. The parts that apply to one impact alone are left out.
+    pub fn to_table(&self, settings: impl IntoIterator<Item = String>) -> Result<Self, Error> {
+        let mut source = self.source();
+        source.overrides.extend(settings);
+        if self.document.contains("output.pulse") {
+            source.overrides.push("output.pulse=none".to_owned());
+        }
+        Self::from_source(self.document.name(), &source)
+    }
+
     /// Takes measurements that are known without the file `calibrate.data`.
     pub fn with_data(mut self, csv: String) -> Self {
         let name = self.input.text_value(key!("calibrate.data")).unwrap_or_default();

@@ -13,7 +13,7 @@ use crate::report::text::Detail;
 use crate::results::RESTITUTION;
 use crate::scenario::keys::key;
 use crate::scenario::plan::Plan;
-use crate::scenario::{Kind, Override, Scenario};
+use crate::scenario::{Kind, Scenario};
 use crate::table::Tally;
 use crate::table::format::csv::CsvEncoder;
 use crate::units::format_four_digits;
@@ -72,12 +72,7 @@ fn curve(scenario: &Scenario, format: PictureFormat) -> Result<Option<Value>, Er
     let decade = log10(at).floor();
     let axis =
         format!("sweep.\"{key}\"={{ logspace = [1e{}, 1e{}], points = {POINTS} }}", decade - DECADES, decade + DECADES);
-    let source = scenario.source();
-    // a pulse belongs to one impact
-    let pulse = scenario.document.contains("output.pulse").then(|| "output.pulse=none".to_owned());
-    let changes: Vec<Override> = [Some(axis), pulse].into_iter().flatten().map(Override::from).collect();
-    let swept = Scenario::from_text(scenario.document.name(), &source.text, &changes)?;
-    let mut plan = swept.plan()?;
+    let mut plan = scenario.to_table([axis])?.plan()?;
     plan.columns = Some(vec![RESTITUTION]);
     let mut files = Vec::new();
     if format != PictureFormat::None {

@@ -93,13 +93,11 @@ impl Scenario {
     /// The scenario as a table along the range of the key. The rules of tables then refuse a key without effect, a key whose
     /// alternative is given too, and a result that the scene does not have.
     fn varying(&self, free: &FreeKey, result: &str) -> Result<Self, Error> {
-        let mut source = self.source();
         let path = free.key.path();
-        source.overrides.push(format!("sweep.\"{path}\"=[{}, {}]", free.to_toml(free.from), free.to_toml(free.to)));
-        if result != RESTITUTION && result_columns().iter().any(|column| column.name == result) {
-            source.overrides.push(format!("output.columns=[\"{result}\"]"));
-        }
-        Self::from_source(self.document.name(), &source).map_err(|error| at_arguments(error, path))
+        let axis = format!("sweep.\"{path}\"=[{}, {}]", free.to_toml(free.from), free.to_toml(free.to));
+        let is_column = result != RESTITUTION && result_columns().iter().any(|column| column.name == result);
+        let column = is_column.then(|| format!("output.columns=[\"{result}\"]"));
+        self.to_table([axis].into_iter().chain(column)).map_err(|error| at_arguments(error, path))
     }
 
     /// The scenario with this value of the key.

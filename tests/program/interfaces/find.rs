@@ -92,6 +92,11 @@ fn any_key_and_result_are_found() {
             "half_space.strength_kind=proof",
         ],
     );
+    // a scenario with a pulse has the speed of the scenario without
+    let [with, without] = [&["--set", "output.pulse.step=50 ns"][..], &[]].map(|set| {
+        solution(&desk, &[&["impact.speed", "s.toml", "--dent-diameter", "1 mm"], set].concat())["impact_speed_m_per_s"].clone()
+    });
+    assert_eq!(with, without);
     let run = &found["results"];
     assert!(relative_error(run["restitution_interval"][0].as_f64().unwrap(), 0.6) < 1e-7, "{found}");
 }
