@@ -94,37 +94,61 @@ struct WantedValue {
     text: String,
 }
 
-/// The name of an option, the name of its result, and whether the help shows the option.
-static OPTIONS: LazyLock<Vec<(String, &'static str, bool)>> = LazyLock::new(|| {
+/// An option that names a result.
+struct ResultOption {
+    /// Without hyphens before it.
+    option: String,
+    /// The name of the result.
+    name: &'static str,
+    description: &'static str,
+    /// True if the help shows the option.
+    is_shown: bool,
+}
+
+static OPTIONS: LazyLock<Vec<ResultOption>> = LazyLock::new(|| {
     let option = |name: &str| name_without_unit(name).to_lowercase().replace(['_', '.'], "-");
-    // texts, lists, and numbers about the computation are not what an experiment wants
-    let is_text = |name: &str| ["_text", "_interval", "_parts", "_interval_m"].iter().any(|end| name.ends_with(end));
-    let is_other = |name: &str| ["warnings", "notes", "work.", "accuracy."].iter().any(|begin| name.starts_with(begin));
+    // texts, lists, and numbers about the computation are not what an experiment wants; a search computes no pulse
+    let text_ends = ["_text", "_scale", "_interval", "_parts", "_interval_m"];
+    let is_text = |name: &str| text_ends.iter().any(|end| name.ends_with(end));
+    let other_begins = ["warnings", "notes", "work.", "accuracy.", "pulse."];
+    let is_other = |name: &str| other_begins.iter().any(|begin| name.starts_with(begin));
     let results = impact_results();
     let wanted = results.iter().filter(|result| !is_text(result.name) && !is_other(result.name));
-    wanted.map(|result| (option(result.name), result.name, result.is_brief)).collect()
+    wanted
+        .map(|result| ResultOption {
+            option: option(result.name),
+            name: result.name,
+            description: result.description,
+            is_shown: result.is_brief,
+        })
+        .collect()
 });
 
 const GROUP: &str = "result";
 
-impl Args for WantedResult {
-    fn augment_args(command: Command) -> Command {
-        let options = OPTIONS.iter().map(|(option, name, is_shown)| {
+impl WantedResult {
+    fn add_options(command: Command) -> Command {
+        let options = OPTIONS.iter().map(|ResultOption { option, name, description, is_shown }| {
             // the full name of a result is right too
             let alias = Some(*name).filter(|name| name != option);
-            let about =
-                impact_results().iter().find(|result| result.name == *name).map_or("", |result| result.description);
             Arg::new(option.as_str())
                 .long(option.as_str())
                 .aliases(alias)
                 .value_name("VALUE")
-                .help(about)
+                .help(*description)
                 .help_heading("Results (one of them; results.md lists more)")
                 .allow_hyphen_values(true)
                 .hide(!is_shown)
         });
-        let ids = OPTIONS.iter().map(|(option, ..)| option.as_str());
+        let ids = OPTIONS.iter().map(|result| result.option.as_str());
         command.args(options).group(ArgGroup::new(GROUP).args(ids).multiple(false))
+    }
+}
+
+impl Args for WantedResult {
+    /// Other commands start without these options.
+    fn augment_args(command: Command) -> Command {
+        command.defer(Self::add_options)
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -134,7 +158,7 @@ impl Args for WantedResult {
 
 impl FromArgMatches for WantedResult {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let given = OPTIONS.iter().find_map(|(option, name, _)| {
+        let given = OPTIONS.iter().find_map(|ResultOption { option, name, .. }| {
             Some(WantedValue { option, name, text: matches.get_one::<String>(option)?.clone() })
         });
         Ok(Self(given))
