@@ -174,16 +174,7 @@ impl<'a> InverseProblem<'a> {
             let interval = restitution_interval(&input, &contact, impact.speed, &impact.row);
             impact.row.restitution_interval = interval.map(|interval| [interval.low, interval.high]);
         }
-        let drop_height = input.drop_height();
-        let single = SingleImpact {
-            contact: &contact,
-            impact: &impact,
-            interval: None,
-            dent_interval: None,
-            pulse: None,
-            notes: &[],
-            drop_height,
-        };
+        let single = SingleImpact::new(&contact, &impact, input.drop_height());
         let column = spec.column.filter(|column| column.needs.is_met_by(&contact, &impact.row));
         let of_table = || column.and_then(|column| (column.value)(&impact.row)).map(Value::from);
         match (spec.value)(&single).or_else(of_table) {

@@ -35,6 +35,13 @@ pub struct SingleImpact<'a> {
     pub pulse: Option<&'a Pulse>,
 }
 
+impl<'a> SingleImpact<'a> {
+    /// An impact without intervals, notes and a pulse.
+    pub fn new(contact: &'a Contact, impact: &'a Impact, drop_height: Option<f64>) -> Self {
+        Self { contact, impact, interval: None, dent_interval: None, notes: &[], drop_height, pulse: None }
+    }
+}
+
 impl SingleImpact<'_> {
     /// The value of a column of tables, if the impact has it.
     fn column_value(&self, needs: Requirement, value: fn(&ImpactRow) -> Option<f64>) -> Option<Value> {

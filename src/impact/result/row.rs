@@ -117,10 +117,9 @@ fn plastic_fraction(plastic_work: f64, unit: f64, kinetic_in: f64) -> Result<f64
 }
 
 /// Height of the flight after the impact \[m\]; `None` without gravity. The flight of two bodies is not modelled.
-fn rebound_height(contact: &Contact, speed: f64, restitution: f64, wave_loss: Option<f64>) -> Option<f64> {
+fn rebound_height(contact: &Contact, rebound_speed: impl FnOnce() -> f64) -> Option<f64> {
     let flight = contact.forces().flight.filter(|_| contact.target_mass().is_none())?;
-    let restitution = wave_loss.map_or(restitution, |loss| waves::restitution_with_waves(restitution, loss));
-    Some(flight.rise_height(restitution * speed))
+    Some(flight.rise_height(rebound_speed()))
 }
 
 /// Area of the dent in the half-space \[m²\]; 0 if the sphere alone yields.
@@ -157,6 +156,8 @@ impl ImpactRow {
         let separates = outcome.end == ImpactEnd::Separated;
         let kinetic_in = kinetic_energy_in(contact, speed)?;
         let wave_loss_fraction = wave_loss_fraction(contact, speed, case, outcome)?;
+        let with_waves =
+            || wave_loss_fraction.map_or(restitution, |loss| waves::restitution_with_waves(restitution, loss));
         let peak = finite_peak(outcome)?;
         let peak_contact_radius = contact.contact_radius(scales, *ground, &peak)?;
         let radius_ratio = peak_contact_radius / contact.pair().smaller_radius;
@@ -185,14 +186,12 @@ impl ImpactRow {
             adhesion: contact.adhesion_work.filter(|_| kinetic_in > 0.0 && forces.damping.per_slope() == 0.0).map(
                 |work| {
                     let dent = ground.deepest_state(&peak);
-                    let rebound =
-                        wave_loss_fraction.map_or(restitution, |loss| waves::restitution_with_waves(restitution, loss));
-                    contact.adhesion_result(work, [speed, rebound], (residual > 0.0).then_some(&dent))
+                    contact.adhesion_result(work, [speed, with_waves()], (residual > 0.0).then_some(&dent))
                 },
             ),
             waveguide: WaveguideResult::from_scaled(case, outcome, contact_time),
             target_speed: contact.speeds_after(speed, restitution).1,
-            rebound_height: rebound_height(contact, speed, restitution, wave_loss_fraction).filter(|_| separates),
+            rebound_height: rebound_height(contact, || with_waves() * speed).filter(|_| separates),
             strain_rate_result: contact.strain_rate_result.filter(|_| law.is_some()),
             rebound: None,
             peened: contact.peening.map(|request| PeenedSurface {

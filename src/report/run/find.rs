@@ -121,18 +121,11 @@ fn impact_at(scenario: &Scenario) -> Result<Impact, Error> {
     let (input, contact, impact) = impact::compute(scenario, None)?;
     let notes = strength_notes(&input, &contact, impact.row.has_dent(), &[]);
     let interval = restitution_interval(&input, &contact, impact.speed, &impact.row);
-    let single = SingleImpact {
-        contact: &contact,
-        impact: &impact,
-        interval: interval.as_ref(),
-        dent_interval: None,
-        pulse: None,
-        notes: &notes,
-        drop_height: input.drop_height(),
-    };
+    let single =
+        SingleImpact { interval: interval.as_ref(), ..SingleImpact::new(&contact, &impact, input.drop_height()) };
     Ok(Impact {
-        results: to_fields(&impact_results(), &single),
-        text: impact_text(&SingleImpact { notes: &[], ..single }, Detail::Brief),
+        results: to_fields(&impact_results(), &SingleImpact { notes: &notes, ..single }),
+        text: impact_text(&single, Detail::Brief),
         warnings: warning_texts(&impact.warnings),
         notes,
     })

@@ -1,8 +1,8 @@
 //! The shot that the options of `peen` name: its diameter, its material, and its strength.
 
 use plm_impact::error::Error;
+use plm_impact::materials::find;
 use plm_impact::materials::shots::{Shot, find_shot};
-use plm_impact::materials::{Property, find};
 
 use super::PeenArguments;
 
@@ -43,8 +43,7 @@ fn check_strength(arguments: &PeenArguments, named: Option<&Shot>, material: &st
         return Ok(());
     }
     let is_default = arguments.shot_material.is_none() && named.is_some_and(|shot| shot.kind.is_steel());
-    let lacks_strength =
-        || find(material).is_some_and(|entry| entry.is_metal() && entry.get(Property::Hardness).is_none());
+    let lacks_strength = || find(material).is_some_and(|entry| entry.is_metal() && !entry.has_strength());
     if is_default || lacks_strength() {
         return Err(Error::input(
             "--shot-hardness: the hardness of the shot is missing, and a soft shot becomes flat instead of denting the target. Give --shot-hardness (cast steel shot is sold with 40 to 51 HRC and harder, such as --shot-hardness \"46 HRC\") or --shot-strength.",
