@@ -91,7 +91,7 @@ pub(super) struct Exporter<'a> {
     pub scenario: &'a Scenario,
     pub contact: &'a ExportedContact,
     pub impact: &'a Impact,
-    /// The restitution that belongs into the code: with elastic waves, if the half-space has a density and is no plate and no rod.
+    /// The restitution that belongs into the code: with elastic waves, if the half-space has a density and is neither a plate nor a rod.
     pub e: f64,
     pub command: &'a str,
 }

@@ -119,7 +119,7 @@ pub fn step_results<'a>() -> Vec<ResultSpec<StepReport<'a>>> {
         "peak_contact_radius_m" in Length as "contact radius": row.step.peak.contact_radius;
         /// Maximum force over its contact area: the hardness F/A of a nanoindentation.
         "peak_mean_pressure_Pa" in Pressure as "hardness F/A": row.step.peak.mean_pressure;
-        /// Diameter of the rim of the dent: twice the contact radius at the maximum force so far.
+        /// Diameter of the dent: twice the contact radius at the maximum force so far.
         "dent_diameter_m" in Length as "dent diameter" if DENTS: row.dent_diameter();
         /// Brinell number in kgf/mm²: maximum force so far over the area of the cap of the dent, 2 F/(π D (D − √(D² − d²))) with the
         /// diameters D of the ball and d of the dent.

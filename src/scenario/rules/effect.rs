@@ -228,12 +228,12 @@ const RULES: &[Rule] = &[
     columns(
         &[Requirement::Rod],
         |facts, _| facts.first().number(key!("half_space.rod_diameter")).is_none(),
-        "the target is no rod, because half_space.rod_diameter is not given",
+        "the target is not a rod, because half_space.rod_diameter is not given",
     ),
     columns(
         &[Requirement::Waveguide],
         |facts, _| !facts.is_on_waveguide(),
-        "the target is no plate and no rod, because neither half_space.thickness nor half_space.rod_diameter is given",
+        "the target is neither a plate nor a rod, because half_space.thickness and half_space.rod_diameter are not given",
     ),
 ];
 
