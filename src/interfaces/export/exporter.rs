@@ -166,8 +166,9 @@ impl Exporter<'_> {
                 (Some(from), None) => format!("from {from} m/s on"),
                 (None, None) => "at all speeds near this one".to_owned(),
             };
-            about
-                .push(format!("e is constant here; the e of the law differs from it by less than {percent} % {range}"));
+            about.push(format!(
+                "this e is used at all speeds; the e of the law differs from it by less than {percent} % {range}"
+            ));
             about.extend(self.model_lines(request.target));
         }
         if self.contact.friction.is_some() && request.target.has_tangential_spring() {
