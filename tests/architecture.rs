@@ -4,13 +4,18 @@
 //! A use is a path that begins with `crate::`, `super::` or `self::`, or with the name of a file in the same folder, in
 //! a `use` line or in the code. The used file is the one that defines the name: a re-export (`pub use`) in the front
 //! file of a folder is followed to its definition. A re-export itself is not a use, unless the front file uses the name
-//! in its code. Tests inside of a file are ignored.
+//! in its code. Modules with `#[cfg(test)]` are ignored.
 
 #![allow(clippy::unwrap_used)]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use proc_macro2::{TokenStream, TokenTree};
+use syn::visit::{self, Visit};
+use syn::{Attribute, ItemMod, ItemUse, Macro, Meta, UseTree, VisRestricted, Visibility};
 
 /// The floors of the drawing in src/README.md, the lowest first: the folders (and single files) of `src`. Each may use
 /// itself and those on floors below it; those on one floor do not use each other.
@@ -24,14 +29,8 @@ fn layers() -> Vec<Vec<String>> {
 /// A module path such as `["impact", "course"]`; empty for the root of the crate.
 type Module = Vec<String>;
 
-/// One file of `src`: its module and its code.
-struct Source {
-    module: Module,
-    /// The code without comments, strings and tests.
-    code: String,
-}
-
-fn sources() -> Vec<Source> {
+/// Every file of `src`: its module, and the paths in its code.
+fn sources() -> Vec<(Module, Paths)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = Vec::new();
     collect(&root, &mut files);
@@ -46,7 +45,7 @@ fn sources() -> Vec<Source> {
             }
             // the command uses the library by the name of its crate
             let text = fs::read_to_string(path).unwrap().replace("plm_impact::", "crate::");
-            Source { module, code: without_comments_and_strings(&text) }
+            (module, Paths::of(&text))
         })
         .collect()
 }
@@ -62,58 +61,104 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// The code without line comments, string literals and the tests at its end.
-fn without_comments_and_strings(text: &str) -> String {
-    let code = text.split("#[cfg(test)]\nmod ").next().unwrap();
-    let mut out = String::new();
-    for line in code.lines() {
-        let mut rest = line.split("//").next().unwrap();
-        while let Some((before, after)) = rest.split_once('"') {
-            out.push_str(before);
-            rest = after.split_once('"').map_or("", |(_, behind)| behind);
-        }
-        out.push_str(rest);
-        out.push('\n');
-    }
-    out
+/// The paths in the code of a file.
+#[derive(Default)]
+struct Paths {
+    /// Those of `use` items with a visibility, from the stem to each leaf.
+    exported: BTreeSet<String>,
+    /// All others, such as `crate::law::Law` or `Law`.
+    used: BTreeSet<String>,
 }
 
-/// The paths in the code, as `crate::law::Law` or `Law`, those of a `use` tree to its leaves, and whether a `pub use` has them.
-fn paths(code: &str) -> BTreeSet<(bool, String)> {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
-    // what stands before the open braces
-    let (mut stems, mut found): (Vec<String>, _) = (Vec::new(), BTreeSet::new());
-    let (mut public, mut before) = (false, "");
-    // a visibility is no use of the module that it names
-    let code = code
-        .replace("pub(in crate::", "pub(")
-        .replace("pub(crate) use", "pub use")
-        .replace("pub(super) use", "pub use");
-    for piece in code.split_inclusive(|c| !is_part(c)) {
-        let word = piece.trim_end_matches(|c| !is_part(c));
-        let stem = stems.last().cloned().unwrap_or_default();
-        let path = if word == "self" { stem.clone() } else { format!("{stem}{word}") };
-        public = public || (word, before) == ("use", "pub");
-        let is_name = word.starts_with(char::is_alphabetic) && word != "as" && !["as", "mod"].contains(&before);
-        if is_name && !piece.ends_with("::{") {
-            found.insert((public, path.trim_end_matches(':').to_owned()));
-        }
-        match &piece[word.len()..] {
-            "{" => stems.push(if word.ends_with("::") { path } else { String::new() }),
-            "}" => drop(stems.pop()),
-            ";" => public = false,
-            _ => {}
-        }
-        before = if word.is_empty() { before } else { word };
+impl Paths {
+    fn of(code: &str) -> Self {
+        let mut paths = Self::default();
+        paths.visit_file(&syn::parse_file(code).unwrap());
+        paths
     }
-    found
+
+    fn add_use_tree(&mut self, is_exported: bool, stem: &str, tree: &UseTree) {
+        let leaf = match tree {
+            UseTree::Path(path) => {
+                return self.add_use_tree(is_exported, &format!("{stem}{}::", path.ident), &path.tree);
+            }
+            UseTree::Group(group) => {
+                return group.items.iter().for_each(|tree| self.add_use_tree(is_exported, stem, tree));
+            }
+            UseTree::Glob(_) => None,
+            UseTree::Name(name) => Some(&name.ident),
+            UseTree::Rename(rename) => Some(&rename.ident),
+        };
+        let path = match leaf.filter(|name| *name != "self") {
+            Some(name) => format!("{stem}{name}"),
+            None => stem.trim_end_matches(':').to_owned(),
+        };
+        if is_exported { &mut self.exported } else { &mut self.used }.insert(path);
+    }
+
+    /// The paths in code that is not parsed: the arguments of a macro or of an attribute.
+    fn add_tokens(&mut self, tokens: TokenStream) {
+        let mut path = String::new();
+        for token in tokens {
+            match &token {
+                TokenTree::Ident(name) if path.is_empty() || path.ends_with("::") => path += &name.to_string(),
+                TokenTree::Punct(mark) if mark.as_char() == ':' && !path.is_empty() && !path.ends_with("::") => {
+                    path.push(':')
+                }
+                _ => {
+                    self.used.insert(std::mem::take(&mut path));
+                    if let TokenTree::Ident(name) = &token {
+                        path = name.to_string();
+                    }
+                }
+            }
+            if let TokenTree::Group(group) = token {
+                self.add_tokens(group.stream());
+            }
+        }
+        self.used.insert(path);
+    }
+}
+
+impl<'code> Visit<'code> for Paths {
+    fn visit_item_use(&mut self, item: &'code ItemUse) {
+        self.add_use_tree(!matches!(item.vis, Visibility::Inherited), "", &item.tree);
+    }
+
+    fn visit_path(&mut self, path: &'code syn::Path) {
+        let names: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        self.used.insert(names.join("::"));
+        visit::visit_path(self, path);
+    }
+
+    fn visit_macro(&mut self, call: &'code Macro) {
+        self.visit_path(&call.path);
+        self.add_tokens(call.tokens.clone());
+    }
+
+    fn visit_attribute(&mut self, attribute: &'code Attribute) {
+        if let Meta::List(list) = &attribute.meta {
+            self.add_tokens(list.tokens.clone());
+        }
+    }
+
+    /// A visibility does not use the module that it names.
+    fn visit_vis_restricted(&mut self, _: &'code VisRestricted) {}
+
+    fn visit_item_mod(&mut self, module: &'code ItemMod) {
+        let is_test = |attribute: &Attribute| {
+            attribute.path().is_ident("cfg") && attribute.parse_args::<syn::Ident>().is_ok_and(|name| name == "test")
+        };
+        if !module.attrs.iter().any(is_test) {
+            visit::visit_item_mod(self, module);
+        }
+    }
 }
 
 /// The crate as a graph: every file, and the files it uses.
-fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
+static GRAPH: LazyLock<BTreeMap<Module, BTreeSet<Module>>> = LazyLock::new(|| {
     let sources = sources();
-    let modules: BTreeSet<Module> = sources.iter().map(|source| source.module.clone()).collect();
-    let parsed: Vec<_> = sources.iter().map(|source| (source.module.clone(), paths(&source.code))).collect();
+    let modules: BTreeSet<Module> = sources.iter().map(|(module, _)| module.clone()).collect();
     let absolute = |module: &Module, path: &str| -> Option<Vec<String>> {
         let mut parts = path.split("::").map(str::to_owned).peekable();
         let mut at = match parts.next()?.as_str() {
@@ -134,8 +179,8 @@ fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
     };
     // what the front file of a folder re-exports, and from where
     let mut exports: BTreeMap<Vec<String>, Vec<String>> = BTreeMap::new();
-    for (module, paths) in &parsed {
-        for (_, path) in paths.iter().filter(|(public, _)| *public) {
+    for (module, paths) in &sources {
+        for path in &paths.exported {
             if let Some(target) = absolute(module, path) {
                 exports.insert([module.as_slice(), &[target.last().unwrap().clone()]].concat(), target);
             }
@@ -151,19 +196,24 @@ fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
         (0..=path.len()).rev().map(|n| path[..n].to_vec()).find(|module| modules.contains(module)).unwrap()
     };
     let mut graph = BTreeMap::new();
-    for (module, paths) in &parsed {
+    for (module, paths) in &sources {
         // a plain name may be a name that the file re-exports
         let own = |path: &String| match exports.get(&[module.as_slice(), std::slice::from_ref(path)].concat()) {
             Some(target) => Some(target.clone()),
             None if path.contains("::") => absolute(module, path),
             None => None,
         };
-        let named = paths.iter().filter(|(public, _)| !public).filter_map(|(_, path)| own(path));
-        let used = named.map(|path| file_of(&path)).filter(|used| used != module && !used.is_empty()).collect();
+        let used = paths
+            .used
+            .iter()
+            .filter_map(own)
+            .map(|path| file_of(&path))
+            .filter(|used| used != module && !used.is_empty())
+            .collect();
         graph.insert(module.clone(), used);
     }
     graph
-}
+});
 
 #[test]
 fn folders_use_only_lower_layers() {
@@ -171,7 +221,7 @@ fn folders_use_only_lower_layers() {
     let place =
         |module: &Module| module.first().and_then(|folder| floors.iter().position(|floor| floor.contains(folder)));
     let mut wrong = Vec::new();
-    for (module, used) in graph() {
+    for (module, used) in GRAPH.iter() {
         if place(&module).is_none() && !module.is_empty() {
             wrong.push(format!("{} stands on no floor of src/README.md", module.join("/")));
         }
@@ -191,7 +241,7 @@ fn folders_use_only_lower_layers() {
 
 #[test]
 fn file_dependencies_are_acyclic() {
-    let graph = graph();
+    let graph = &*GRAPH;
     // files that reach each other are in one circle
     let reach: BTreeMap<&Module, BTreeSet<&Module>> = graph
         .keys()
@@ -221,12 +271,15 @@ fn file_dependencies_are_acyclic() {
 /// A test of the reader itself.
 #[test]
 fn use_trees_are_expanded() {
-    let code = "pub use a::B;\npub(crate) use crate::law::{\n    self, Law, curve::{Piece, Shape as S},\n};\nlet x = m::f(super::y);";
-    let found = |public: bool| -> Vec<String> {
-        let kept = paths(code).into_iter().filter(|(of, path)| *of == public && path.contains("::"));
-        kept.map(|(_, path)| path).collect()
-    };
+    let paths = Paths::of(
+        r#"pub use a::B;
+        pub(crate) use crate::law::{self, Law, curve::{Piece, Shape as S}};
+        pub(in crate::report) fn f() { let x = m::f(super::y); x.n(); format!("{} {}", c::D::new(1), "e::f") }
+        #[cfg(test)]
+        mod tests { use super::g::h; }"#,
+    );
     let exported = ["a::B", "crate::law", "crate::law::Law", "crate::law::curve::Piece", "crate::law::curve::Shape"];
-    assert_eq!(found(true), exported);
-    assert_eq!(found(false), ["m::f", "super::y"]);
+    assert_eq!(Vec::from_iter(paths.exported), exported);
+    let used: Vec<String> = paths.used.into_iter().filter(|path| path.contains("::")).collect();
+    assert_eq!(used, ["c::D::new", "m::f", "super::y"]);
 }
