@@ -14,7 +14,7 @@ after(async () => {
 });
 
 export const SHOWN =
-  '[...document.querySelectorAll("#numbers :is(p, dt, dd, th, td, pre):not(table:has(caption) *)")].map((one) => one.textContent).join(" ")';
+  '[...document.querySelectorAll("#numbers :is(p, dt, dd, th, td):not(table:has(caption) *)")].map((one) => one.textContent).join(" ")';
 export const field = (path) => `[id="field-${path}"]`;
 export const valueOf = (path) => page.value(`document.querySelector('${field(path)}').value`);
 export const text = () => page.value('document.getElementById("text").value');

@@ -212,6 +212,14 @@ test("steps and impacts are tables", async () => {
   }
 });
 
+test("the laws that a calibration compares are a table", async () => {
+  const [name, laws] = ["calibrate-ball-drop.toml", 'laws = ["plm", "hertz", "thornton"]'];
+  await open(`${read(name)}${laws}\n`, read("drops.csv"));
+  await agrees(runByCommand(name, "--set", `calibrate.${laws}`).stdout);
+  assert.deepEqual(await cells("#numbers th"), ["law", "AIC", "above the best", "half_space.yield_strength"]);
+  assert.equal((await cells("#numbers tbody tr")).length, 3);
+});
+
 test("a link is copied, or shown where a page may not copy, until the scenario changes", async () => {
   const told = () => page.value('document.getElementById("told").textContent');
   await open(undefined, undefined, site.address.replace("127.0.0.1", "plain.test"));

@@ -60,7 +60,8 @@ impl<'a> Request<'a> {
             let outcome = run_whole(&scenario, &RunOptions { command: &command_line(), detail, pictures, progress })?;
             Ok((scenario, outcome))
         })?;
-        let Outcome { warnings, text, files, contradiction, .. } = outcome;
+        let text = outcome.text();
+        let Outcome { warnings, files, contradiction, .. } = outcome;
         output.print_warnings(&scenario, &warnings)?;
         let flaw = contradiction.map(|reason| Error::for_file(ErrorKind::Mismatch, scenario.document.name(), reason));
         Ok(Results { directory, output, text, files, table: None, removed: Vec::new(), flaw })

@@ -101,11 +101,12 @@ pub struct CheckArguments {
 
 pub fn check(arguments: &CheckArguments) -> Result<(), Error> {
     let scenario = arguments.scenario.load()?;
-    let Outcome { warnings, text, mut checked, .. } = plm_impact::report::run::check(&scenario)?;
-    super::output::print_warnings(&warnings);
+    let outcome = plm_impact::report::run::check(&scenario)?;
+    super::output::print_warnings(&outcome.warnings);
     if !arguments.json {
-        return super::terminal::print(&text);
+        return super::terminal::print(&outcome.text());
     }
+    let Outcome { warnings, mut checked, .. } = outcome;
     checked.insert("kind".to_owned(), scenario.kind()?.name().into());
     checked.insert("warnings".to_owned(), warnings.into());
     super::terminal::print_json(&format!("{:#}\n", Value::Object(checked)))

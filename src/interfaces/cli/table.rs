@@ -6,7 +6,8 @@ use std::time::Duration;
 use clap::{Args, value_parser};
 use plm_impact::error::Error;
 use plm_impact::files::OutputDirectory;
-use plm_impact::report::run::table::{TableWarnings, files as table_files, table_text, table_warnings};
+use plm_impact::report::run::table::{TableWarnings, files as table_files, table_blocks, table_warnings};
+use plm_impact::report::text::to_text;
 use plm_impact::scenario::Scenario;
 use plm_impact::scenario::plan::Plan;
 use plm_impact::table::{FinishedTable, Format, PartLayout, Shard, TableJob, Tally};
@@ -100,7 +101,7 @@ impl TableRequest {
             let table = with_threads(threads, || job.run())??;
             Ok((directory, plan, table))
         })?;
-        let text = table_text(&plan, &table.tally, &warnings_and_notes);
+        let text = to_text(&table_blocks(&plan, &table.tally, &warnings_and_notes));
         let flaw = missing_rows_error(&table);
         let files = if shard.is_some() {
             Vec::new()

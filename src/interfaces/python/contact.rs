@@ -19,6 +19,7 @@ use crate::interfaces::export::header::header_files;
 use crate::report::run::impact::compute_pulse;
 use crate::report::run::{no_result_error, rate_dependent_contact, warning_texts};
 use crate::report::text::overview::overview;
+use crate::report::text::to_text;
 use crate::scenario::keys::interval::expected_notes;
 use crate::scenario::keys::key;
 use crate::scenario::keys::quantity::SAMPLES;
@@ -290,7 +291,7 @@ impl PyContact {
 
     /// The bodies and the law, as `plm-impact check` shows them.
     fn __repr__(&self) -> String {
-        let lines = overview(&self.input, &self.inner, &expected_notes(&self.input, &self.inner));
+        let lines = to_text(&overview(&self.input, &self.inner, &expected_notes(&self.input, &self.inner)));
         let lines = lines.lines().filter(|line| !line.starts_with(SPEED) || self.input.speed().is_finite());
         lines.fold("<plm_impact.Contact>".to_owned(), |text, line| text + "\n" + line)
     }

@@ -12,7 +12,7 @@ use super::table::table_of_csv;
 use crate::error::Error;
 use crate::impact;
 use crate::report::pictures;
-use crate::report::text::{Detail, impact_text, trace_csv};
+use crate::report::text::{Detail, impact_blocks, to_text, trace_csv};
 use crate::results::dent_interval::DentInterval;
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::{TABLES, to_fields};
@@ -175,7 +175,7 @@ impl PyImpact {
     }
 
     fn __repr__(&self) -> String {
-        format!("<plm_impact.Impact>\n{}", impact_text(&self.single_impact(), Detail::Normal).trim_end())
+        format!("<plm_impact.Impact>\n{}", to_text(&impact_blocks(&self.single_impact(), Detail::Normal)).trim_end())
     }
 
     /// The picture of the force against the indentation, as PNG.

@@ -15,7 +15,7 @@ use crate::files::{OutputFile, Progress};
 use crate::report;
 use crate::report::chart::PictureFormat;
 use crate::report::run::{Outcome, RunOptions, table};
-use crate::report::text::Detail;
+use crate::report::text::{Detail, to_text};
 use crate::scenario::{Override, Scenario};
 
 /// The name of measurements that are arrays, in messages.
@@ -120,7 +120,7 @@ fn options<'a>(command: &'a str, pictures: bool, progress: &'a Progress) -> RunO
 /// A `plm_impact.Outcome`.
 fn outcome<'py>(
     py: Python<'py>,
-    Outcome { warnings, text, files, .. }: Outcome,
+    Outcome { warnings, blocks, files, .. }: Outcome,
     table: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     static OUTCOME: PyOnceLock<Py<PyType>> = PyOnceLock::new();
@@ -128,5 +128,5 @@ fn outcome<'py>(
     for OutputFile { name, bytes } in files {
         named.set_item(name, PyBytes::new(py, &bytes))?;
     }
-    OUTCOME.import(py, "plm_impact", "Outcome")?.call1((warnings, text, named, table))
+    OUTCOME.import(py, "plm_impact", "Outcome")?.call1((warnings, to_text(&blocks), named, table))
 }

@@ -1,7 +1,7 @@
 //! The program in a web page, for JavaScript: functions that take texts and return JSON. `src/interfaces/web/build.sh` makes the page.
 //!
-//! A result has the files, the text and the warnings of the command; an error is `{"error", "exit_code", "details"}` with the
-//! words of the command and what `--error-format json` says. Only the curve of e beside an impact is the page's own.
+//! A result has the files and the warnings of the command, and its text as blocks; an error is `{"error", "exit_code", "details"}` with
+//! the words of the command and what `--error-format json` says. Only the curve of e beside an impact is the page's own.
 
 mod fields;
 mod reply;
@@ -33,7 +33,7 @@ pub fn run(name: &str, text: &str, data: Option<String>, pictures: &str) -> Stri
 #[wasm_bindgen]
 pub fn check(name: &str, text: &str, data: Option<String>) -> String {
     let checked = scenario(name, text, data).and_then(|scenario| crate::report::run::check(&scenario));
-    reply(checked.map(|outcome| json!({ "warnings": outcome.warnings, "text": outcome.text })))
+    reply(checked.map(|outcome| json!({ "warnings": outcome.warnings, "text": outcome.text() })))
 }
 
 /// The JSON Schema of a scenario.

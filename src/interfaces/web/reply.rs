@@ -9,7 +9,7 @@ use crate::numerics::functions::log10;
 use crate::report::chart::{PictureFormat, Series, Style};
 use crate::report::pictures::sweep::pictures;
 use crate::report::run::{Outcome, RunOptions, impact, run as run_scenario, table};
-use crate::report::text::Detail;
+use crate::report::text::{Block, Detail};
 use crate::results::RESTITUTION;
 use crate::scenario::keys::key;
 use crate::scenario::plan::Plan;
@@ -29,15 +29,17 @@ pub fn run(scenario: &Scenario, pictures: PictureFormat) -> Result<Value, Error>
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
     let options = RunOptions { command: &command, detail: Detail::Full, pictures, progress: &Progress::default() };
-    let Outcome { warnings, text, files, contradiction, .. } = match run_scenario(scenario, Some(&options))? {
+    let Outcome { warnings, mut blocks, files, contradiction, .. } = match run_scenario(scenario, Some(&options))? {
         Some(outcome) => outcome,
         None => table_outcome(scenario, &options)?,
     };
+    // the page has distances of its own
+    blocks.retain(|block| *block != Block::EmptyLine);
     let curve = if kind == Kind::Impact { curve(scenario, pictures)? } else { None };
     Ok(json!({
         "kind": kind.name(),
         "warnings": warnings,
-        "text": text,
+        "blocks": blocks,
         "contradiction": contradiction,
         "files": file_texts(files),
         "curve": curve

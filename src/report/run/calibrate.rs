@@ -13,7 +13,7 @@ use crate::files::{OutputFile, PROGRAM, Progress};
 use crate::materials::Property;
 use crate::report::pictures::calibrate::pictures;
 use crate::report::text::calibrate as report;
-use crate::report::text::notes_text;
+use crate::report::text::note_blocks;
 use crate::report::text::overview::calibration_overview;
 use crate::scenario::Scenario;
 use crate::scenario::document::edit::set;
@@ -30,13 +30,14 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let Some(options) = options else {
         let mut checked = report::summary_fields(&measured, &found);
         checked.insert("inputs".to_owned(), report::inputs(&measured, &found).to_json().into());
-        let text = calibration_overview(&measured, &found);
-        return Ok(Outcome { contradiction, ..Outcome::from_check(warnings(&found), text, checked) });
+        let blocks = calibration_overview(&measured, &found);
+        return Ok(Outcome { contradiction, ..Outcome::from_check(warnings(&found), blocks, checked) });
     };
     let files = result_files(scenario, &measured, &found, options)?;
     let known = calibration_notes(&found);
-    let text = report::terminal_table(&found) + &notes_text(&known);
-    Ok(Outcome { contradiction, notes: known, ..Outcome::from_run(warnings(&found), text, files) })
+    let mut blocks = report::result_blocks(&found);
+    blocks.extend(note_blocks(&known));
+    Ok(Outcome { contradiction, notes: known, ..Outcome::from_run(warnings(&found), blocks, files) })
 }
 
 /// Notes for the user on the law behind the values that were found, and on a strength that was not found.

@@ -1,7 +1,5 @@
 //! The values of a key that give a wanted result, each with its impact.
 
-use std::fmt::Write as _;
-
 use serde_json::{Map, Value, json};
 
 use super::impact;
@@ -9,7 +7,7 @@ use super::outcome::warning_texts;
 use crate::calibrate::inverse::{InverseProblem, InverseSolution, result_text};
 use crate::error::Error;
 use crate::files::Progress;
-use crate::report::text::{Detail, impact_text, notes_text};
+use crate::report::text::{Block, Detail, impact_blocks, note_blocks, to_text};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::to_fields;
 use crate::scenario::Scenario;
@@ -53,25 +51,26 @@ pub fn find(scenario: &Scenario, question: &Question, progress: &Progress) -> Re
     let request = scenario.inverse_request(key, range, result)?;
     let free = request.free;
     let solutions = InverseProblem::new(request, result, wanted, progress)?.solve()?;
-    let (mut warnings, mut text, mut found, mut settings) = (Vec::new(), String::new(), Vec::new(), Vec::new());
+    let (mut warnings, mut blocks, mut found, mut settings) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut all_notes: Vec<String> = Vec::new();
     for solution in &solutions {
         let setting = free.to_rounded_text(solution.value, DIGITS);
-        let Impact { results, text: of_impact, warnings: of_solution, notes } =
+        let Impact { results, blocks: of_impact, warnings: of_solution, notes } =
             impact_at(&scenario.with_value(&free, solution.value)?)?;
         // several solutions may have other warnings
         let place = if solutions.len() > 1 { format!("at {key} = {setting}: ") } else { String::new() };
         warnings.extend(of_solution.into_iter().map(|warning| format!("{place}{warning}")));
-        if !text.is_empty() {
-            text.push('\n');
+        if !blocks.is_empty() {
+            blocks.push(Block::EmptyLine);
         }
-        let _ = write!(text, "{}\n\n{of_impact}", solution_line(&free, solution, result));
+        blocks.extend([Block::Sentence(solution_line(&free, solution, result)), Block::EmptyLine]);
+        blocks.extend(of_impact);
         found.push(solution_json(&free, solution, result, results));
         // solutions have the same notes as a rule
         all_notes.extend(notes.into_iter().filter(|note| !all_notes.contains(note)).collect::<Vec<_>>());
         settings.push([key.to_owned(), setting]);
     }
-    text.push_str(&notes_text(&all_notes));
+    blocks.extend(note_blocks(&all_notes));
     let json = json!({
         "key": key,
         "result": result,
@@ -80,7 +79,7 @@ pub fn find(scenario: &Scenario, question: &Question, progress: &Progress) -> Re
         "solutions": found,
         "warnings": warnings,
     });
-    Ok(Answer { warnings, text, json, settings })
+    Ok(Answer { warnings, text: to_text(&blocks), json, settings })
 }
 
 /// The key, its value, and the result that it gives.
@@ -112,7 +111,7 @@ fn solution_json(free: &FreeKey, solution: &InverseSolution, result: &str, resul
 /// An impact with one value of the key.
 struct Impact {
     results: Map<String, Value>,
-    text: String,
+    blocks: Vec<Block>,
     warnings: Vec<String>,
     notes: Vec<String>,
 }
@@ -125,7 +124,7 @@ fn impact_at(scenario: &Scenario) -> Result<Impact, Error> {
         SingleImpact { interval: interval.as_ref(), ..SingleImpact::new(&contact, &impact, input.drop_height()) };
     Ok(Impact {
         results: to_fields(&impact_results(), &SingleImpact { notes: &notes, ..single }),
-        text: impact_text(&single, Detail::Brief),
+        blocks: impact_blocks(&single, Detail::Brief),
         warnings: warning_texts(&impact.warnings),
         notes,
     })

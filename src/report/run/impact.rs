@@ -9,7 +9,7 @@ use crate::report::pictures::{caption, with_captions};
 use crate::report::text::check::contact_fields;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
-use crate::report::text::{impact_text, pulse_csv, spectrum_csv, trace_csv};
+use crate::report::text::{impact_blocks, pulse_csv, spectrum_csv, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::to_fields;
 use crate::scenario::input::Input;
@@ -72,8 +72,8 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     }
     let notes = strength_notes(&input, &contact, impact.row.has_dent(), &[]);
     let Some(options) = options else {
-        let (text, checked) = (overview(&input, &contact, &notes), contact_fields(&input, &contact));
-        return Ok(Outcome { notes, ..Outcome::from_check(warning_texts(&impact.warnings), text, checked) });
+        let (blocks, checked) = (overview(&input, &contact, &notes), contact_fields(&input, &contact));
+        return Ok(Outcome { notes, ..Outcome::from_check(warning_texts(&impact.warnings), blocks, checked) });
     };
     let provenance = provenance(scenario, &input, impact.method, options.command);
     let (inputs, caption) = (Inputs::new(&input), caption(&input, &[]));
@@ -108,6 +108,6 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
         Ok(with_captions(drawn, &caption))
     })?);
     let files = with_summary(files, provenance, to_fields(&impact_results(), &single), &inputs)?;
-    let text = impact_text(&single, options.detail);
-    Ok(Outcome { notes, ..Outcome::from_run(warning_texts(&impact.warnings), text, files) })
+    let blocks = impact_blocks(&single, options.detail);
+    Ok(Outcome { notes, ..Outcome::from_run(warning_texts(&impact.warnings), blocks, files) })
 }

@@ -10,7 +10,7 @@ use crate::impact::{elastic_material_warning, half_space_warnings, sphere_warnin
 use crate::report::pictures;
 use crate::report::pictures::caption::indentation_caption;
 use crate::report::text::indentation as report;
-use crate::report::text::notes_text;
+use crate::report::text::note_blocks;
 use crate::scenario::Scenario;
 use crate::scenario::input::Body;
 use crate::scenario::kinds::indentation::IndentationRequest;
@@ -51,8 +51,8 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let inputs = report::inputs(scenario, &scene);
     let notes = report::material_notes(scenario, &tested);
     let Some(options) = options else {
-        let text = report::overview(scenario, &scene, &tested, &notes);
-        return Ok(Outcome { notes, ..Outcome::from_check(warnings, text, report::check_fields(&tested, &inputs)) });
+        let blocks = report::overview(scenario, &scene, &tested, &notes);
+        return Ok(Outcome { notes, ..Outcome::from_check(warnings, blocks, report::check_fields(&tested, &inputs)) });
     };
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, options.command);
@@ -64,8 +64,9 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let mut results = report::summary_fields(&tested, &warnings);
     put_notes(&mut results, &notes);
     let files = with_summary(files, provenance, results, &inputs)?;
-    let text = report::terminal_table(&tested) + &notes_text(&notes);
-    Ok(Outcome { notes, ..Outcome::from_run(warnings, text, files) })
+    let mut blocks = report::result_blocks(&tested);
+    blocks.extend(note_blocks(&notes));
+    Ok(Outcome { notes, ..Outcome::from_run(warnings, blocks, files) })
 }
 
 /// The error of a scenario without a result. If a step is the reason, the error points at the steps.

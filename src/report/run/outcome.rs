@@ -7,9 +7,9 @@ use crate::error::Error;
 use crate::files::{LawProvenance, OutputFile, Progress, Provenance, SUMMARY_FILE};
 use crate::impact::Warning;
 use crate::report::chart::PictureFormat;
-use crate::report::text::Detail;
 use crate::report::text::files::summary_json;
 use crate::report::text::inputs::Inputs;
+use crate::report::text::{Block, Detail, to_text};
 use crate::scenario::Scenario;
 
 /// The options of a run, besides its scenario.
@@ -17,7 +17,7 @@ use crate::scenario::Scenario;
 pub struct RunOptions<'a> {
     /// The command line, for the provenance.
     pub command: &'a str,
-    /// How much the text says of an impact.
+    /// How much the blocks say of an impact.
     pub detail: Detail,
     pub pictures: PictureFormat,
     /// Counts how far the run is.
@@ -29,9 +29,10 @@ pub struct RunOptions<'a> {
 pub struct Outcome {
     /// Warnings about scene, model or run.
     pub warnings: Vec<String>,
-    /// Notes for the user on the strength and on the exponent behind the results; the text has them too.
+    /// Notes for the user on the strength and on the exponent behind the results; the blocks have them too.
     pub notes: Vec<String>,
-    pub text: String,
+    /// What people read.
+    pub blocks: Vec<Block>,
     /// The files for the output directory; empty for a check.
     pub files: Vec<OutputFile>,
     /// Why measurements contradict the law, where they do: all is written, and the exit code is 3.
@@ -41,12 +42,17 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    pub(super) fn from_check(warnings: Vec<String>, text: String, checked: Map<String, Value>) -> Self {
-        Self { checked, ..Self::from_run(warnings, text, Vec::new()) }
+    pub(super) fn from_check(warnings: Vec<String>, blocks: Vec<Block>, checked: Map<String, Value>) -> Self {
+        Self { checked, ..Self::from_run(warnings, blocks, Vec::new()) }
     }
 
-    pub(super) fn from_run(warnings: Vec<String>, text: String, files: Vec<OutputFile>) -> Self {
-        Self { warnings, notes: Vec::new(), text, files, contradiction: None, checked: Map::new() }
+    pub(super) fn from_run(warnings: Vec<String>, blocks: Vec<Block>, files: Vec<OutputFile>) -> Self {
+        Self { warnings, notes: Vec::new(), blocks, files, contradiction: None, checked: Map::new() }
+    }
+
+    /// What the terminal prints.
+    pub fn text(&self) -> String {
+        to_text(&self.blocks)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::report::pictures;
 use crate::report::pictures::{caption, with_captions};
 use crate::report::text::check::contact_fields;
 use crate::report::text::inputs::Inputs;
-use crate::report::text::notes_text;
+use crate::report::text::note_blocks;
 use crate::report::text::overview::overview;
 use crate::report::text::series as report;
 use crate::results::series::SeriesReport;
@@ -44,8 +44,8 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let has_dent = sequence.impacts.iter().any(|hit| hit.impact.row.has_dent());
     let notes = strength_notes(&input, &contact, has_dent, &[]);
     let Some(options) = options else {
-        let text = report::series_lines(&repeat) + &overview(&input, &contact, &notes);
-        return Ok(Outcome { notes, ..Outcome::from_check(warnings, text, contact_fields(&input, &contact)) });
+        let blocks = [report::check_blocks(&repeat), overview(&input, &contact, &notes)].concat();
+        return Ok(Outcome { notes, ..Outcome::from_check(warnings, blocks, contact_fields(&input, &contact)) });
     };
     let provenance = provenance(scenario, &input, sequence.method, options.command);
     let series = SeriesReport { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
@@ -65,6 +65,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let mut results = report::summary_fields(&series);
     put_notes(&mut results, &notes);
     let files = with_summary(files, provenance, results, &Inputs::new(&input))?;
-    let text = report::terminal_table(&series, options.detail) + &notes_text(&notes);
-    Ok(Outcome { notes, ..Outcome::from_run(warnings, text, files) })
+    let mut blocks = report::result_blocks(&series, options.detail);
+    blocks.extend(note_blocks(&notes));
+    Ok(Outcome { notes, ..Outcome::from_run(warnings, blocks, files) })
 }

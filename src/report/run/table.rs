@@ -10,11 +10,11 @@ use crate::report::pictures::traces::charts;
 use crate::report::pictures::{caption, with_captions};
 use crate::report::text::check::plan_fields;
 use crate::report::text::inputs::Inputs;
-use crate::report::text::notes_text;
 use crate::report::text::overview::overview;
-use crate::report::text::plan::plan_lines;
-use crate::report::text::sweep::{summary_fields, summary_lines};
+use crate::report::text::plan::plan_blocks;
+use crate::report::text::sweep::{result_blocks, summary_fields};
 use crate::report::text::traces::traces_csv;
+use crate::report::text::{Block, note_blocks};
 use crate::scenario::keys::strength_notes;
 use crate::scenario::plan::Plan;
 use crate::scenario::{Scenario, no_result_error};
@@ -27,8 +27,8 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
     let contact = plan.input.contact().map_err(|error| no_result_error(scenario, &error))?;
     let TableWarnings { warnings, notes } = table_warnings(&plan, Some(&contact));
-    let text = plan_lines(&plan) + &overview(&plan.input, &contact, &notes);
-    Ok(Outcome { notes, ..Outcome::from_check(warnings, text, plan_fields(&plan, &contact)) })
+    let blocks = [plan_blocks(&plan), overview(&plan.input, &contact, &notes)].concat();
+    Ok(Outcome { notes, ..Outcome::from_check(warnings, blocks, plan_fields(&plan, &contact)) })
 }
 
 /// The outcome of a whole table with this tally, and with the file of the table where it is one of the results.
@@ -44,14 +44,14 @@ pub fn summarise(
     let provenance = Provenance { files: names, ..scenario.provenance(options.command) };
     let mut files = files(plan, tally, &warnings_and_notes, provenance, options.pictures)?;
     files.extend(table);
-    let text = table_text(plan, tally, &warnings_and_notes);
+    let blocks = table_blocks(plan, tally, &warnings_and_notes);
     let TableWarnings { warnings, notes } = warnings_and_notes;
-    Ok(Outcome { notes, ..Outcome::from_run(warnings, text, files) })
+    Ok(Outcome { notes, ..Outcome::from_run(warnings, blocks, files) })
 }
 
-/// The text of a finished table, with the notes.
-pub fn table_text(plan: &Plan, tally: &Tally, warnings_and_notes: &TableWarnings) -> String {
-    summary_lines(plan, tally) + &notes_text(&warnings_and_notes.notes)
+/// What is said of a finished table, with the notes.
+pub fn table_blocks(plan: &Plan, tally: &Tally, warnings_and_notes: &TableWarnings) -> Vec<Block> {
+    result_blocks(plan, tally).into_iter().chain(note_blocks(&warnings_and_notes.notes)).collect()
 }
 
 /// Warnings and notes on a table, before its rows are computed.

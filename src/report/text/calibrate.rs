@@ -1,9 +1,8 @@
-//! Texts about a calibration: `summary.json`, `residuals.csv` and the table on the terminal.
-
-use std::fmt::Write as _;
+//! Texts about a calibration: `summary.json`, `residuals.csv` and the blocks for people.
 
 use serde_json::{Map, Value, json};
 
+use super::blocks::Block;
 use super::files::into_bytes;
 use super::inputs::{Inputs, constraint_factor_name};
 use crate::calibrate::minimise::ParameterPoint;
@@ -13,7 +12,6 @@ use crate::error::Error;
 use crate::results::{ResultSpec, result_specs, to_fields};
 use crate::scenario::input::{Body, MeasuredQuantity};
 use crate::scenario::keys::body_key;
-use crate::strings::align_columns;
 use crate::units::{format_four_digits, format_percent};
 
 /// The note on an interval with an end outside of the range of the key.
@@ -267,7 +265,8 @@ fn row(name: &str, value: impl Into<String>) -> Row {
     [name.to_owned(), value.into()]
 }
 
-pub fn terminal_table(calibration: &Calibration) -> String {
+/// The keys that were found, the fit, and the laws that were compared.
+pub fn result_blocks(calibration: &Calibration) -> Vec<Block> {
     let (noise, share) = noise(calibration);
     let share = share.map_or_else(String::new, |share| format!(", {} (relative)", format_percent(share)));
     let mut rows: Vec<Row> = calibration.keys.iter().flat_map(key_rows).collect();
@@ -279,15 +278,16 @@ pub fn terminal_table(calibration: &Calibration) -> String {
     let runs = calibration.runs;
     rows.extend(runs.map(|runs| row("runs test of residuals", format!("p = {}", format_four_digits(runs.p)))));
     rows.extend(second_minimum_row(calibration));
-    let mut text = align_columns(&rows, |_| true);
+    let mut blocks = vec![Block::list(rows)];
     if !calibration.laws.is_empty() {
-        let _ = write!(text, "\n{}", align_columns(&law_rows(calibration), |column| column == 0));
-        text.push_str(
-            "Laws within 2 AIC units of the best fit equally well; laws 10 or more units above fit clearly worse.\n",
-        );
+        let laws = Block::table(law_rows(calibration), 1);
+        blocks.extend([Block::EmptyLine, laws, Block::Sentence(ABOUT_AIC.to_owned())]);
     }
-    text
+    blocks
 }
+
+const ABOUT_AIC: &str =
+    "Laws within 2 AIC units of the best fit equally well; laws 10 or more units above fit clearly worse.";
 
 /// A key that was found, and its intervals.
 fn key_rows(found: &KeyEstimate) -> Vec<Row> {

@@ -1,7 +1,8 @@
-//! The results of an indentation, and the texts about it: `summary.json`, `trace.csv` and what the terminal shows.
+//! The results of an indentation, and the texts about it: `summary.json`, `trace.csv` and the blocks for people.
 
 use serde_json::{Map, Value};
 
+use super::blocks::{Block, note_blocks};
 use super::files::csv_bytes;
 use super::inputs::Inputs;
 use super::overview;
@@ -17,7 +18,6 @@ use crate::scenario::input::Body;
 use crate::scenario::keys::interval::WHICH_STRENGTH;
 use crate::scenario::keys::{ALL_KEYS, Part, key};
 use crate::scenario::kinds::indentation::IndentationRequest;
-use crate::strings::align_columns;
 use crate::units::{Dimension, format_si_and_short};
 
 /// The results of one half-space, in the order of `summary.json`.
@@ -181,21 +181,22 @@ pub fn trace_csv(tested: &[SpecimenResult]) -> Result<Vec<u8>, Error> {
     csv_bytes(&trace_columns(), rows)
 }
 
-/// The table for the terminal: for every half-space, a line for each step.
-pub fn terminal_table(tested: &[SpecimenResult]) -> String {
-    let mut text = String::new();
+/// For every half-space a table, with a row for each step.
+pub fn result_blocks(tested: &[SpecimenResult]) -> Vec<Block> {
+    let mut blocks = Vec::new();
     for one in tested {
         if let Some(name) = &one.specimen.name {
-            text.push_str(if text.is_empty() { "" } else { "\n" });
-            text.push_str(name);
-            text.push('\n');
+            if !blocks.is_empty() {
+                blocks.push(Block::EmptyLine);
+            }
+            blocks.push(Block::Sentence(name.clone()));
         }
         let name = one.pair.yield_point.map_or("dent", |point| imprint_name(point.yield_partition.flat_share));
         let imprint = Imprint::new(one.is_spring && one.pair.yield_point.is_some(), name);
         let rows = terminal::result_columns(&step_results(), &numbered_steps(one), imprint);
-        text.push_str(&align_columns(&rows, |_| true));
+        blocks.push(Block::table(rows, usize::MAX));
     }
-    text
+    blocks
 }
 
 /// The inputs of an indentation, without its steps and half-spaces.
@@ -219,13 +220,13 @@ pub fn check_fields(tested: &[SpecimenResult], inputs: &Inputs) -> Map<String, V
     Map::from_iter([("inputs".to_owned(), inputs.to_json().into()), ("half_spaces".to_owned(), half_spaces)])
 }
 
-/// The text of `check`: the inputs, the steps, the contact of every half-space, and the notes.
+/// What `check` says: the inputs, the steps, the contact of every half-space, and the notes.
 pub fn overview(
     scenario: &Scenario,
     scene: &IndentationRequest,
     tested: &[SpecimenResult],
     notes: &[String],
-) -> String {
+) -> Vec<Block> {
     let mut rows = overview::input_rows(&inputs(scenario, scene));
     for (i, target) in (1..).zip(&scene.targets) {
         let (kind, value) = match *target {
@@ -239,7 +240,7 @@ pub fn overview(
         rows.extend(terminal::label_value_rows(&half_space_results(), one));
         rows.push(overview::yielding_row(&one.pair, one.pair.reachable_yield_point().is_some()));
     }
-    align_columns(&rows, |_| true) + &terminal::notes_text(notes)
+    [Block::list(rows)].into_iter().chain(note_blocks(notes)).collect()
 }
 
 /// Notes for the user on the strength behind forces and indentations, if a body yields and the scenario does not describe its flow

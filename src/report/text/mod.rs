@@ -1,5 +1,6 @@
-//! Texts about a run: files, and tables for the terminal. Nothing here opens a file or prints.
+//! What a run says: texts of files, and blocks for people. Nothing here opens a file or prints.
 
+pub mod blocks;
 pub mod calibrate;
 pub mod check;
 pub mod contact_trace;
@@ -17,6 +18,7 @@ pub mod testers;
 pub(crate) mod traces;
 pub mod units;
 
+pub use blocks::{Block, note_blocks, to_text};
 pub use files::trace_csv;
 pub(crate) use files::{pulse_csv, spectrum_csv};
-pub use terminal::{Detail, impact_text, notes_text};
+pub use terminal::{Detail, impact_blocks};

@@ -1,7 +1,8 @@
-//! The text of `check`: every value with its unit, and the numbers that follow from them before anything is run.
+//! What `check` says: every value with its unit, and the numbers that follow from them before anything is run.
 
+use super::blocks::{Block, note_blocks};
 use super::inputs::Inputs;
-use super::terminal::{label_value_rows, notes_text};
+use super::terminal::label_value_rows;
 use super::{calibrate, check};
 use crate::calibrate::{Calibration, CalibrationTask};
 use crate::contact::law::LawChoice;
@@ -10,14 +11,13 @@ use crate::impact::Contact;
 use crate::materials::Property;
 use crate::scenario::input::{Body, Input, KeyValue};
 use crate::scenario::keys::{KeyId, OTHER, body_key, key};
-use crate::strings::align_columns;
 use crate::units::{Dimension, format_four_digits, format_input, format_percent, format_si_and_short};
 
 /// A name and a value.
 type Row = [String; 2];
 
-/// A few aligned lines, and the notes.
-pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
+/// Inputs and contact, and the notes.
+pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> Vec<Block> {
     let mut rows = Vec::new();
     let speed = input.approach().normal;
     let contact = &check::contact_at_own_speed(input, contact);
@@ -44,11 +44,13 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
         rows.push(["strain-rate factor at maximum compression".to_owned(), format_four_digits(rated.factor_at_peak)]);
     }
     let softer = contact.pair().reachable_yield_point().map(|point| point.yield_partition.for_softer(Body::ALL));
-    align_columns(&rows, |_| true) + &notes_text(notes) + &rate_hint(input, contact, softer, speed).unwrap_or_default()
+    let hint = rate_hint(input, contact, softer, speed);
+    let after = note_blocks(notes).chain(note_blocks(hint.as_slice()));
+    [Block::list(rows)].into_iter().chain(after).collect()
 }
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
-pub fn calibration_overview(measured: &CalibrationTask, calibration: &Calibration) -> String {
+pub fn calibration_overview(measured: &CalibrationTask, calibration: &Calibration) -> Vec<Block> {
     let mut rows = input_rows(&calibrate::inputs(measured, calibration));
     rows.push([String::new(), String::new()]);
     let CalibrationTask { data, .. } = measured;
@@ -69,8 +71,8 @@ pub fn calibration_overview(measured: &CalibrationTask, calibration: &Calibratio
         let of_it = data.values.iter().filter(|value| value.quantity == quantity);
         range(quantity.name(), quantity.quantity().dimension, of_it.map(|value| value.value).collect());
     }
-    rows.push([String::new(), String::new()]);
-    align_columns(&rows, |_| true) + &calibrate::terminal_table(calibration)
+    let inputs = [Block::list(rows), Block::EmptyLine];
+    inputs.into_iter().chain(calibrate::result_blocks(calibration)).collect()
 }
 
 /// How much higher e is with the rate of strain of the metal that yields, where that is known and not asked for.
@@ -87,7 +89,7 @@ fn rate_hint(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
     let higher = e(&raised.contact().ok()?)? / e(contact)? - 1.0;
     (higher > 0.0).then(|| {
         format!(
-            "\nHint: with the strain-rate dependence of {} (c = {c}), e is {} higher. Set {} = \"material\".\n",
+            "Hint: with the strain-rate dependence of {} (c = {c}), e is {} higher. Set {} = \"material\".",
             choice.material.name,
             format_percent(higher),
             body.rate_table()

@@ -1,14 +1,14 @@
-//! The text of `check` about a table: how many cases there are, what varies, and which columns the table will have.
+//! What `check` says about a table: how many cases there are, what varies, and which columns the table will have.
 
+use super::blocks::Block;
 use crate::scenario::plan::{Cases, Distribution, Plan, SweepAxis, Variable};
-use crate::strings::align_columns;
 use crate::units::format_percent;
 
 /// An axis with at most this number of values is listed value by value.
 const MAX_LISTED: u64 = 8;
 
-/// The lines about the cases. The scene of the first case is printed after them.
-pub fn plan_lines(plan: &Plan) -> String {
+/// The cases and the columns. The scene of the first case follows.
+pub fn plan_blocks(plan: &Plan) -> Vec<Block> {
     let count = plan.n_cases();
     let row = |path: &str, values: String| [format!("  {path}"), values];
     let (from, rows): (_, Vec<_>) = match &plan.cases {
@@ -20,9 +20,14 @@ pub fn plan_lines(plan: &Plan) -> String {
             (format!("drawn with seed {seed} from"), rows.collect())
         }
     };
-    let (rows, columns) = (align_columns(&rows, |_| true), plan.column_names().join(","));
     let scene = if plan.is_monte_carlo() { "values at the medians" } else { "values of the first case" };
-    format!("{count} cases, {from}\n{rows}columns {columns}\n\n{scene}:\n")
+    vec![
+        Block::Sentence(format!("{count} cases, {from}")),
+        Block::list(rows),
+        Block::Sentence(format!("columns {}", plan.column_names().join(","))),
+        Block::EmptyLine,
+        Block::Sentence(format!("{scene}:")),
+    ]
 }
 
 fn values_text(axis: &SweepAxis) -> String {

@@ -1,7 +1,8 @@
-//! Texts about repeated impacts: `summary.json`, `impacts.csv`, `trace.csv` and the table on the terminal.
+//! Texts about repeated impacts: `summary.json`, `impacts.csv`, `trace.csv` and the blocks for people.
 
 use serde_json::{Map, Value};
 
+use super::blocks::Block;
 use super::files::csv_bytes;
 use super::terminal::{self, Detail, Imprint};
 use crate::error::Error;
@@ -11,7 +12,6 @@ use crate::results::series as results;
 use crate::results::series::{SeriesReport, SeriesTraceRow};
 use crate::results::to_fields;
 use crate::results::trace::event_name;
-use crate::strings::align_columns;
 use crate::units::{Dimension, format_result};
 
 /// A summary lists the speeds of at most this number of shots; a longer list is in `impacts.csv` only.
@@ -101,11 +101,11 @@ fn push_flight_rows(
     }));
 }
 
-/// How many impacts at the beginning and at the end of a long series the terminal shows.
+/// How many impacts at the beginning and at the end of a long series the table shows.
 const SHOWN_IMPACTS: (usize, usize) = (12, 5);
 
-/// The table for the terminal: lines about the series, and a line for each impact.
-pub fn terminal_table(series: &SeriesReport, detail: Detail) -> String {
+/// A list about the series, and a table with a row for each impact.
+pub fn result_blocks(series: &SeriesReport, detail: Detail) -> Vec<Block> {
     let hits = &series.sequence.impacts;
     let is_shown =
         |(number, _): &(usize, &SeriesImpact)| *number <= SHOWN_IMPACTS.0 || number + SHOWN_IMPACTS.1 > hits.len();
@@ -118,11 +118,11 @@ pub fn terminal_table(series: &SeriesReport, detail: Detail) -> String {
     let mut about = results::series_results();
     about.retain(|result| detail == Detail::Full || result.name != "energy.balance_error");
     let lines = terminal::result_lines(&about, series, imprint);
-    align_columns(&lines, |_| true) + "\n" + &align_columns(&rows, |_| false)
+    vec![Block::list(lines), Block::EmptyLine, Block::table(rows, 0)]
 }
 
-/// The text of `check` about a series: its keys. The scene of the first impact is printed after it.
-pub fn series_lines(repeat: &ImpactSeries) -> String {
+/// What `check` says about a series: its keys. The scene of the first impact follows.
+pub fn check_blocks(repeat: &ImpactSeries) -> Vec<Block> {
     let speed = |speed: &f64| format_result(*speed, Dimension::Speed);
     let mut rows = vec![["repeat.spot", repeat.spot_mode.name()].map(str::to_owned)];
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
@@ -139,5 +139,5 @@ pub fn series_lines(repeat: &ImpactSeries) -> String {
             row("speed", if low == high { speed(&low) } else { format!("{} to {}", speed(&low), speed(&high)) });
         }
     }
-    align_columns(&rows, |_| true) + "\nvalues of the first impact:\n"
+    vec![Block::list(rows), Block::EmptyLine, Block::Sentence("values of the first impact:".to_owned())]
 }

@@ -1,16 +1,14 @@
-//! The results of a whole table, beside its rows: its `summary.json`, and its lines for the terminal.
-
-use std::fmt::Write as _;
+//! The results of a whole table, beside its rows: its `summary.json`, and the blocks for people.
 
 use serde_json::{Map, Value};
 
+use super::blocks::Block;
 use super::terminal::{Imprint, result_lines};
 use crate::impact::PeenedSurface;
 use crate::results::{
     PEENING_MEANS, RESTITUTION, ResultColumn, ResultSpec, dimension_of, result_specs, to_field_list, to_fields,
 };
 use crate::scenario::plan::{Cases, Plan, Variable};
-use crate::strings::align_columns;
 use crate::table::Tally;
 use crate::table::statistics::ColumnStatistics;
 use crate::units::{format_result, quantities};
@@ -121,34 +119,36 @@ fn mean_surface(plan: &Plan, tally: &Tally) -> Option<PeenedSurface> {
     Some(PeenedSurface { request, dent_area: dent_area?, shot_mass: shot_mass? })
 }
 
-/// The lines about a finished table, for the terminal.
-pub fn summary_lines(plan: &Plan, tally: &Tally) -> String {
+/// What is said of a finished table.
+pub fn result_blocks(plan: &Plan, tally: &Tally) -> Vec<Block> {
     let with_results = tally.rows - tally.failures - tally.outside_law;
-    let mut text = format!("{} rows: {with_results} with results, {} failed\n", tally.rows, tally.failures);
+    let counts = format!("{} rows: {with_results} with results, {} failed", tally.rows, tally.failures);
+    let mut blocks = vec![Block::Sentence(counts)];
     if tally.outside_law > 0 {
-        let _ = writeln!(text, "{} rows outside the range of the law (status outside_law)", tally.outside_law);
+        let outside = format!("{} rows outside the range of the law (status outside_law)", tally.outside_law);
+        blocks.push(Block::Sentence(outside));
     }
     let (constant, scattered): (Vec<_>, Vec<_>) =
         tally.distributions().into_iter().partition(|(_, all)| all.is_constant && all.samples > 1);
     if !scattered.is_empty() {
         let head = ["random cases", "mean", "standard deviation", "5 %", "50 %", "95 %"].map(str::to_owned);
-        let rows: Vec<_> = std::iter::once(head).chain(scattered.iter().map(quantiles)).collect();
-        let _ = write!(text, "\n{}", align_columns(&rows, |_| true));
+        let rows = std::iter::once(head).chain(scattered.iter().map(quantiles));
+        blocks.extend([Block::EmptyLine, Block::table(rows, usize::MAX)]);
     }
     if let Some(surface) = mean_surface(plan, tally) {
         let mut results = total_results();
         results.retain(|result| result.name.starts_with("peening."));
         let lines = result_lines(&results, &(tally, None, None, Some(surface)), Imprint::OfSprings);
-        let _ = write!(text, "\n{}", align_columns(&lines, |_| true));
+        blocks.extend([Block::EmptyLine, Block::list(lines)]);
     }
-    for (place, (column, all)) in constant.iter().enumerate() {
+    blocks.extend(constant.first().map(|_| Block::EmptyLine));
+    for (column, all) in &constant {
         let value = format_result(all.mean, dimension_of(column.name));
         let (name, keys) = (column_label(column), plan.varied_paths().join(" and "));
-        let before = if place == 0 { "\n" } else { "" };
-        let _ =
-            writeln!(text, "{before}{name}: {value} in all cases, because this result does not depend on {keys} here");
+        let sentence = format!("{name}: {value} in all cases, because this result does not depend on {keys} here");
+        blocks.push(Block::Sentence(sentence));
     }
-    text
+    blocks
 }
 
 /// The name of a column in words, without its unit.

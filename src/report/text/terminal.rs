@@ -2,11 +2,11 @@
 
 use serde_json::Value;
 
+use super::blocks::{Block, note_blocks};
 use crate::impact::{Impact, WarningKind};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::{NumberFormat, ResultSpec};
 use crate::scenario::keys::SMALL;
-use crate::strings::align_columns;
 use crate::units::{Dimension, format_four_digits, format_percent, format_result, format_si_and_short};
 
 /// How much the terminal shows of an impact.
@@ -19,7 +19,7 @@ pub enum Detail {
     Full,
 }
 
-pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
+pub fn impact_blocks(single: &SingleImpact, detail: Detail) -> Vec<Block> {
     let impact = single.impact;
     let is_of_the_integrator =
         |name: &str| ["accuracy.", "work.", "energy.balance_error"].iter().any(|begin| name.starts_with(begin));
@@ -40,12 +40,7 @@ pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
     lines.extend(result_lines(&results, single, Imprint::new(single.contact.is_spring(), impact.row.imprint_name())));
     put_measured_first(&mut lines);
     mark_doubtful(&mut lines, impact);
-    align_columns(&lines, |_| true) + &notes_text(single.notes)
-}
-
-/// Notes below the results, a paragraph each.
-pub fn notes_text(notes: &[String]) -> String {
-    notes.iter().flat_map(|note| ["\n", note, "\n"]).collect()
+    [Block::list(lines)].into_iter().chain(note_blocks(single.notes)).collect()
 }
 
 /// Where waves are computed, the restitution with waves is the one that is measured: its line comes first and has the interval, and

@@ -1,4 +1,4 @@
-// Texts and tables of results as lists and tables of the page.
+// Results as lists and tables of the page.
 
 import { parseCsv } from "./csv.js";
 import { element } from "./element.js";
@@ -8,31 +8,13 @@ const QUIET = ["closed form", "steps"];
 // These are what most look for.
 const LARGE = ["impact speed", "restitution"];
 
-/** The text of the command: a list or a table for every paragraph that is one, any other as it is printed. */
-export function blocks(text) {
-  return text
-    .trimEnd()
-    .split(/\n\n+/)
-    .flatMap((paragraph) => {
-      const lines = paragraph.split("\n").map((line) => line.trim().split(/ {2,}/));
-      // sentences before a table
-      const first = lines.findIndex((cells) => cells.length > 1);
-      const [before, rest] = first < 0 ? [lines, []] : [lines.slice(0, first), lines.slice(first)];
-      const said = before.map(([sentence]) => element("p", sentence));
-      if (rest.length === 0) return said;
-      const [head, ...rows] = rest;
-      // a line of dots stands for rows that are left out
-      if (
-        head.length > 2 &&
-        rows.length > 0 &&
-        rows.every((cells) => cells.length === head.length || cells[0] === "...")
-      ) {
-        return [...said, table(head, rows)];
-      }
-      return rest.every((cells) => cells.length > 1)
-        ? [...said, ...list(rest)]
-        : [element("pre", { tabIndex: 0 }, paragraph)];
-    });
+/** What the command says, as elements: sentences, lists and tables. */
+export const elements = (blocks) => blocks.flatMap(elementsOf);
+
+function elementsOf({ sentence, list, table }) {
+  if (sentence) return [element("p", sentence)];
+  if (list) return listOf(list);
+  return [tableOf(table.rows)];
 }
 
 /** The first rows of a CSV file, its numbers with four digits. */
@@ -40,7 +22,7 @@ export function csvTable(name, csv, most) {
   const { names: head, rows } = parseCsv(csv);
   const shown = rows.slice(0, most).map((cells) => cells.map(rounded));
   const caption = rows.length > most ? `the first ${most} of ${rows.length} rows of ${name}` : name;
-  return table(head, shown, caption);
+  return tableOf([head, ...shown], caption);
 }
 
 function rounded(cell) {
@@ -50,12 +32,9 @@ function rounded(cell) {
 }
 
 // Names with their values; those that few look for are folded.
-function list(lines) {
-  const is =
-    (quiet) =>
-    ([name]) =>
-      QUIET.includes(name) === quiet;
-  const [shown, folded] = [false, true].map((quiet) => lines.filter(is(quiet)));
+function listOf(lines) {
+  const isQuiet = ([name]) => QUIET.includes(name);
+  const [shown, folded] = [lines.filter((line) => !isQuiet(line)), lines.filter(isQuiet)];
   const more = folded.length > 0 ? [element("details", element("summary", "Numerical accuracy"), pairs(folded))] : [];
   return [pairs(shown), ...more];
 }
@@ -64,10 +43,9 @@ function pairs(lines) {
   const list = element("dl");
   for (const [name, ...values] of lines) {
     const isLarge = LARGE.includes(name);
-    const parts = values.flatMap((value, place) => [
-      ...(isLarge ? emphasised(value, place) : [element("span", value)]),
-      " ",
-    ]);
+    const parts = values
+      .filter(Boolean)
+      .flatMap((value, place) => [...(isLarge ? emphasised(value, place) : [element("span", value)]), " "]);
     const className = isLarge ? "large" : "";
     list.append(element("dt", { className }, name), " ", element("dd", { className }, ...parts));
   }
@@ -84,34 +62,33 @@ function emphasised(value, place) {
 // Where "(0.61 to 0.65" ends at the begin of a text; 0 for another text.
 const intervalEnd = (text) => text.match(/^\([-\d.e]+ to [-\d.e]+\)?/)?.[0].length ?? 0;
 
-/** A line of results with its number and its interval alone. */
-export function shortened(line) {
-  const [name, number, detail = ""] = line.trim().split(/ {2,}/);
+/** What stays in view of a run: e with its interval, the last dent or force of a slow indentation, or what comes first. */
+export function headline(blocks, kind) {
+  const lines = blocks.flatMap(({ sentence, list, table }) => list ?? table?.rows ?? [[sentence]]);
+  const restitution = lines.find(([name]) => /^(last )?restitution/.test(name));
+  if (restitution) return shortened(restitution);
+  const steps = kind === "indentation" && blocks.find(({ table }) => table);
+  return steps ? lastStep(steps.table.rows) : lines[0].filter(Boolean).join(" ");
+}
+
+// A line of results with its number and its interval alone.
+function shortened([name, number, detail = ""]) {
   const interval = detail.slice(0, intervalEnd(detail)).replace(/([^)])$/, "$1)");
   return [name, number, interval].filter(Boolean).join(" ");
 }
 
-/** The last dent of a slow indentation, or its last force where nothing yields. */
-export function lastStep(text) {
-  const lines = text
-    .split(/\n\n+/)[0]
-    .split("\n")
-    .map((line) => line.trim().split(/ {2,}/));
-  const first = lines.findIndex(([cell]) => cell === "step");
-  const [head, last] = [
-    lines[first] ?? [],
-    lines
-      .slice(first)
-      .filter((cells) => /^\d+$/.test(cells[0]))
-      .at(-1) ?? [],
-  ];
+// The last dent of the steps, or their last force where nothing yields.
+function lastStep([head, ...steps]) {
   const at = Math.max(head.indexOf("dent depth"), head.indexOf("force"));
-  return at < 0 ? "" : `step ${last[0]}: ${head[at]} ${last[at]}`;
+  const last = steps.at(-1);
+  return `step ${last[0]}: ${head[at]} ${last[at]}`;
 }
 
-function table(head, rows, caption) {
-  const cell = (name) => (text) => element(name, text);
-  const line = (cells, name) => element("tr", ...cells.flatMap((text) => [cell(name)(text), " "]));
+function tableOf([head, ...rows], caption) {
+  // the last cell of a short row takes the columns that are left
+  const cell = (name, cells) => (text, at) =>
+    element(name, { colSpan: at + 1 < cells.length ? 1 : head.length - at }, text);
+  const line = (cells, name) => element("tr", ...cells.map(cell(name, cells)).flatMap((made) => [made, " "]));
   const made = element("table", ...(caption ? [element("caption", caption)] : []));
   made.append(element("thead", line(head, "th")), element("tbody", ...rows.map((cells) => line(cells, "td"))));
   for (const one of made.querySelectorAll("th")) one.scope = "col";

@@ -1,7 +1,7 @@
 // Shows the reply to a run: warnings, numbers, pictures, files.
 
 import { download, element } from "./element.js";
-import { blocks, csvTable, lastStep, shortened } from "./numbers.js";
+import { csvTable, elements, headline } from "./numbers.js";
 import { picture } from "./picture.js";
 
 const byId = (id) => document.getElementById(id);
@@ -10,25 +10,18 @@ const SHOWN = 10;
 let hasResults = false;
 
 /** Shows the results of a scenario; while a value moves, the pictures and files are those before. */
-export function showResults({ kind, warnings, text, contradiction, files, curve }, isMoving) {
+export function showResults({ kind, warnings, blocks, contradiction, files, curve }, isMoving) {
   const cautions = [...warnings, ...(contradiction ? [contradiction] : [])];
   byId("warnings").replaceChildren(...cautions.map((text) => element("li", text)));
   byId("warnings").hidden = cautions.length === 0;
   const table = files["table.csv"];
-  byId("numbers").replaceChildren(...blocks(text), ...(table ? [csvTable("table.csv", table, SHOWN)] : []));
+  byId("numbers").replaceChildren(...elements(blocks), ...(table ? [csvTable("table.csv", table, SHOWN)] : []));
   if (!isMoving) showFiles({ ...files, ...curve });
   for (const id of ["pictures", "files"]) byId(id).classList.toggle("before", isMoving);
   byId("results").classList.remove("old");
   hasResults = true;
   // this is what a screen reader says of a change, and what stays in view
-  const lines = text.trim().split("\n");
-  const line = lines.find((line) => /^(last )?restitution/.test(line));
-  const short = line
-    ? shortened(line)
-    : kind === "indentation"
-      ? lastStep(text.trim())
-      : lines[0].split(/ {2,}/).join(" ");
-  byId("state").textContent = `${kind.replace("_", " ")} ${short}`.trim();
+  byId("state").textContent = `${kind.replace("_", " ")} ${headline(blocks, kind)}`;
   byId("state").classList.remove("refused");
 }
 

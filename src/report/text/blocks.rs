@@ -1,0 +1,50 @@
+//! What people read of a run, as blocks: the terminal and Python print their text, and the web page shows them as lists and tables.
+
+use serde::Serialize;
+
+use crate::strings::align_columns;
+
+/// A part of what people read.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Block {
+    Sentence(String),
+    /// Lines of a name, its value and perhaps remarks. A line of empty cells is between two groups of lines.
+    List(Vec<Vec<String>>),
+    Table {
+        /// The first row has the names of the columns.
+        rows: Vec<Vec<String>>,
+        /// The text aligns so many columns at the left, from the first on, and the others at the right.
+        #[serde(skip)]
+        left_columns: usize,
+    },
+    EmptyLine,
+}
+
+impl Block {
+    pub fn list<L: Into<Vec<String>>>(lines: impl IntoIterator<Item = L>) -> Self {
+        Self::List(lines.into_iter().map(Into::into).collect())
+    }
+
+    pub fn table<R: Into<Vec<String>>>(rows: impl IntoIterator<Item = R>, left_columns: usize) -> Self {
+        Self::Table { rows: rows.into_iter().map(Into::into).collect(), left_columns }
+    }
+
+    fn to_text(&self) -> String {
+        match self {
+            Self::Sentence(sentence) => format!("{sentence}\n"),
+            Self::List(lines) => align_columns(lines, |_| true),
+            Self::Table { rows, left_columns } => align_columns(rows, |column| column < *left_columns),
+            Self::EmptyLine => "\n".to_owned(),
+        }
+    }
+}
+
+pub fn to_text(blocks: &[Block]) -> String {
+    blocks.iter().map(Block::to_text).collect()
+}
+
+/// Notes below the results, a paragraph each.
+pub fn note_blocks(notes: &[String]) -> impl Iterator<Item = Block> {
+    notes.iter().flat_map(|note| [Block::EmptyLine, Block::Sentence(note.clone())])
+}
