@@ -93,8 +93,7 @@ impl Contact {
     /// # Errors
     /// [`PulseError`] if the impact has no result, the sphere does not separate, or the step does not fit the contact time.
     pub fn pulse(&self, speed: f64, solver: &Solver, request: &PulseRequest) -> Result<Pulse, PulseError> {
-        let rated = self.contact_at_speed(speed)?;
-        rated.as_ref().unwrap_or(self).pulse_at(speed, solver, request)
+        self.at_speed(speed)?.pulse_at(speed, solver, request)
     }
 
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)] // below MAX_PULSE_SAMPLES

@@ -7,8 +7,10 @@
 
 mod gravity;
 
+use std::sync::LazyLock;
+
 use super::outcome::{ImpactEnd, ScaledResult};
-use crate::contact::law::{Surface, Unloading};
+use crate::contact::law::{Law, Surface, Unloading, UnloadingRule};
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::{FORCE_FACTOR, SQRT_FORCE_FACTOR, kinetic_energy, speed_at_energy};
 use crate::numerics::curve::piece::{Piece, Shape};
@@ -28,8 +30,12 @@ pub fn solve_conservative<'a>(
     forces: &ScaledForces,
     tolerance: f64,
 ) -> Result<Option<ScaledResult>, IntegrationError> {
+    // in units of its peak and speed every elastic impact without gravity is this one
+    static ELASTIC: LazyLock<ScaledResult> = LazyLock::new(|| solve(&Law::hertz(), 1.0));
     let ground = ground.into();
+    let is_hertz = matches!(ground.law.unloading_rule, UnloadingRule::Hertz);
     match () {
+        () if is_hertz && q == 1.0 && forces.is_none() => Ok(Some(*ELASTIC)),
         () if forces.is_none() => Ok(Some(solve(ground, q))),
         () if forces.is_conservative() => gravity::solve(ground, q, forces, tolerance).map(Some),
         () => Ok(None),
