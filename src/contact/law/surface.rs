@@ -332,9 +332,14 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The drop of the force where an impact turns into this branch; 0 in a dent.
+    /// The drop of the force where an impact turns into this branch; only a metal that relaxes has one, and not in a dent.
     pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
-        self.loading_law_at(unloading.peak.indentation).map_or(0.0, |law| law.force_drop_at_peak(unloading))
+        let ContactState { indentation, force, .. } = unloading.peak;
+        let relaxes = |law: &&Law| law.relaxes() && law.leaves_dent(indentation);
+        let fall =
+            self.loading_law_at(indentation).filter(relaxes).map_or(0.0, |law| law.loading.force(indentation) - force);
+        // a smaller drop is rounding
+        if fall > OLD_PEAK_ROUNDING * force { fall } else { 0.0 }
     }
 
     /// The reported peak force: the relaxed force and a fifth of the drop, as in the finite elements. With damping

@@ -7,10 +7,10 @@
 
 mod gravity;
 
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
 use super::outcome::{ImpactEnd, ScaledResult};
-use crate::contact::law::{Law, Surface, Unloading, UnloadingRule};
+use crate::contact::law::{Surface, Unloading, UnloadingRule};
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::{FORCE_FACTOR, SQRT_FORCE_FACTOR, kinetic_energy, speed_at_energy};
 use crate::numerics::curve::piece::{Piece, Shape};
@@ -30,12 +30,14 @@ pub fn solve_conservative<'a>(
     forces: &ScaledForces,
     tolerance: f64,
 ) -> Result<Option<ScaledResult>, IntegrationError> {
-    // in units of its peak and speed every elastic impact without gravity is this one
-    static ELASTIC: LazyLock<ScaledResult> = LazyLock::new(|| solve(&Law::hertz(), 1.0));
+    // in units of peak and speed all elastic impacts without gravity are equal
+    static ELASTIC: OnceLock<ScaledResult> = OnceLock::new();
     let ground = ground.into();
-    let is_hertz = matches!(ground.law.unloading_rule, UnloadingRule::Hertz);
+    let is_elastic = matches!(ground.law.unloading_rule, UnloadingRule::Hertz) && q == 1.0;
     match () {
-        () if is_hertz && q == 1.0 && forces.is_none() => Ok(Some(*ELASTIC)),
+        () if forces.is_none() && is_elastic && ground.reloading_branch().is_none() => {
+            Ok(Some(*ELASTIC.get_or_init(|| solve(ground, q))))
+        }
         () if forces.is_none() => Ok(Some(solve(ground, q))),
         () if forces.is_conservative() => gravity::solve(ground, q, forces, tolerance).map(Some),
         () => Ok(None),
