@@ -14,6 +14,7 @@
 
 pub mod catalogue;
 mod contact_law;
+mod loading_history;
 mod peak_law;
 pub mod plm;
 pub mod published;
@@ -27,12 +28,13 @@ use crate::numerics::curve::LoadingCurve;
 use crate::strings::names::named_enum;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{ContactLaw, LawInfo, YieldingPair};
+pub use loading_history::LoadingHistory;
 pub use plm::unloading_rule::PlmUnloadingRule;
 pub use plm::{CoefficientsError, DeferredCurve, Plm, PlmCoefficients};
 pub use published::{LawError, Loading};
 use published::{MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
 pub(crate) use recovery::ExponentClamp;
-pub use surface::{LoadingHistory, Surface};
+pub use surface::Surface;
 pub use unloading::{ContactState, LoadedPoint, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 /// How a contact unloads after loading beyond the elastic regime.
