@@ -29,13 +29,13 @@ use crate::strings::names::named_enum;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{ContactLaw, LawInfo, YieldingPair};
 pub use loading_history::LoadingHistory;
-pub use plm::unloading_rule::PlmUnloadingRule;
+pub use plm::unloading_rule::{PlmUnloadingRule, UnloadingExponent, pressure_shape_exponent};
 pub use plm::{CoefficientsError, DeferredCurve, Plm, PlmCoefficients};
 pub use published::{LawError, Loading};
 use published::{MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
 pub(crate) use recovery::ExponentClamp;
 pub use surface::Surface;
-pub use unloading::{ContactState, LoadedPoint, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+pub use unloading::{ContactState, LoadedPoint, Unloading, UnloadingShape};
 
 /// How a contact unloads after loading beyond the elastic regime.
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 //! approach and contact radius, and whether the law has an answer.
 
 use super::published::MAX_CLIPPING;
-use super::unloading::{ContactState, LoadedPoint, Unloading, allowed_exponent};
+use super::unloading::{ContactState, LoadedPoint, Unloading};
 use super::{Law, LawError, UnloadingRule};
 
 /// An unloading exponent that is larger than the requested one, because the requested one would recover more energy than was spent.
@@ -14,6 +14,17 @@ pub(crate) struct ExponentClamp {
     pub(crate) used: f64,
     /// The energy that the requested exponent would recover, over the energy that was spent, minus 1.
     pub(crate) gain: f64,
+}
+
+impl Unloading {
+    /// The exponents of this branch, if the requested exponent was raised: the requested one, the used one, and the gain of energy
+    /// that this avoids.
+    pub(crate) fn exponent_clamp(&self) -> Option<ExponentClamp> {
+        let (requested, used) = (self.requested, self.exponent);
+        // the energy of a branch is proportional to 1/(n + 1)
+        let gain = (used - requested) / (requested + 1.0);
+        (used > requested).then_some(ExponentClamp { requested, used, gain })
+    }
 }
 
 impl Law {
@@ -60,7 +71,7 @@ impl Law {
             UnloadingRule::Hertz => Unloading::power(peak(at.elastic_approach.unwrap_or(indentation)), 1.5),
             UnloadingRule::PlmRule(rule) => {
                 let (peak, requested) = rule.peak_and_exponent(&at);
-                Unloading::power(peak, allowed_exponent(work(), &peak, requested))
+                Unloading::power_within(peak, requested, work())
             }
             UnloadingRule::Published(rule) => rule.unload(indentation, force, work()),
             // the force of a memory is the force after the relaxation
@@ -108,22 +119,6 @@ impl Law {
         }
     }
 
-    /// The exponents of this branch, if the requested exponent was raised: the requested one, the used one, and the gain of energy
-    /// that this avoids.
-    pub(crate) fn exponent_clamp(&self, unloading: &Unloading) -> Option<ExponentClamp> {
-        let (peak, used) = (&unloading.peak, unloading.exponent);
-        match self.rule_at(peak.indentation) {
-            UnloadingRule::PlmRule(rule) => {
-                let requested = rule.requested_exponent(peak);
-                // the energy of a branch is proportional to 1/(n + 1)
-                let gain = (used - requested) / (requested + 1.0);
-                (used > requested).then_some(ExponentClamp { requested, used, gain })
-            }
-            UnloadingRule::Relaxed(law) => law.exponent_clamp(unloading),
-            _ => None,
-        }
-    }
-
     /// Checks that the law has an answer for the peak of this branch.
     ///
     /// # Errors
@@ -136,7 +131,7 @@ impl Law {
         let refused = |problem| Err(LawError::Range { ratio, problem });
         match self.rule_at(indentation) {
             UnloadingRule::Hertz => Ok(()),
-            UnloadingRule::PlmRule(_) => match self.exponent_clamp(unloading) {
+            UnloadingRule::PlmRule(_) => match unloading.exponent_clamp() {
                 Some(ExponentClamp { requested, gain, .. }) if gain > MAX_CLIPPING => {
                     Err(LawError::Exponent { requested, ratio, gain })
                 }

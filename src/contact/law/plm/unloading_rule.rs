@@ -8,9 +8,7 @@ use super::depth::Depth;
 use super::flattening::Flattening;
 use super::hardening::Hardening;
 use crate::contact::law::published::{LoadedState, Recovery};
-use crate::contact::law::unloading::{
-    ContactState, LoadedPoint, UnloadingExponent, UnloadingShape, pressure_shape_exponent,
-};
+use crate::contact::law::unloading::{ContactState, LoadedPoint, UnloadingShape};
 use crate::numerics::curve::LoadingCurve;
 
 /// How the PLM unloads beyond first yield.
@@ -50,6 +48,32 @@ impl Default for ValidityTable {
     fn default() -> Self {
         Self { perfectly_plastic: 0.45, hardening: 0.32, yielding_sphere: 0.3, both_yield: 0.2 }
     }
+}
+
+/// Which exponent n the unloading branch has.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum UnloadingExponent {
+    /// n = 3/2, the paper's law.
+    #[default]
+    Paper,
+    /// Any number in (1, 2], for comparison. Only the other two have a physical reason.
+    Fixed(f64),
+    /// n(Λ) from the contact pressure's shape at the peak: 3/2 for Hertz's ellipse, 3π/4 − 1 for uniform pressure.
+    PressureShape,
+}
+
+impl UnloadingExponent {
+    /// Takes the number 1.5 for the paper's law.
+    pub fn from_value(value: f64) -> Self {
+        if value == 1.5 { Self::Paper } else { Self::Fixed(value) }
+    }
+}
+
+/// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform
+/// pressure (Λ = 3π/8, n = 3π/4 − 1), both exact.
+pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
+    const THREE_PI: f64 = 3.0 * std::f64::consts::PI;
+    1.5 - 2.0 * (10.0 - THREE_PI) / (THREE_PI - 8.0) * (radius_ratio - 1.0)
 }
 
 impl PlmUnloadingRule {
@@ -188,15 +212,9 @@ impl PlmUnloadingRule {
             }
             (known, _) => {
                 let peak = peak(known.unwrap_or_else(|| self.shallow_approach(indentation, force)));
-                (peak, self.requested_exponent(&peak))
+                (peak, self.exponent_at(&peak, || self.hertz_equivalent_radius(&peak)))
             }
         }
-    }
-
-    /// The requested exponent; the exponent of Hertz without a dent.
-    #[inline(always)]
-    pub(crate) fn requested_exponent(&self, peak: &ContactState) -> f64 {
-        self.exponent_at(peak, || self.hertz_equivalent_radius(peak))
     }
 
     /// The elastic approach and the exponent at a peak on the loading curve of another law. Its force need not be that of this
