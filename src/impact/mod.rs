@@ -129,7 +129,12 @@ impl Contact {
     #[inline]
     pub fn row(&self, approach: impl Into<Approach>, solver: &Solver) -> Result<ImpactRow, ImpactError> {
         let approach = approach.into();
-        self.at_speed(approach.normal)?.row_at(approach, solver)
+        // to move a contact, borrowed or not, would take a tenth of a row
+        if self.has_rate() {
+            self.at_speed(approach.normal)?.row_at(approach, solver)
+        } else {
+            self.row_at(approach, solver)
+        }
     }
 
     #[inline]

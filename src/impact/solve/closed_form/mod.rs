@@ -35,12 +35,10 @@ pub fn solve_conservative<'a>(
     let ground = ground.into();
     let is_elastic = matches!(ground.law.unloading_rule, UnloadingRule::Hertz) && q == 1.0;
     match () {
-        () if forces.is_none() && is_elastic && ground.reloading_branch().is_none() => {
-            Ok(Some(*ELASTIC.get_or_init(|| solve(ground, q))))
-        }
-        () if forces.is_none() => Ok(Some(solve(ground, q))),
-        () if forces.is_conservative() => gravity::solve(ground, q, forces, tolerance).map(Some),
-        () => Ok(None),
+        () if !forces.is_conservative() => Ok(None),
+        () if forces.weight != 0.0 => gravity::solve(ground, q, forces, tolerance).map(Some),
+        () if is_elastic && ground.reloading_branch().is_none() => Ok(Some(*ELASTIC.get_or_init(|| solve(ground, q)))),
+        () => Ok(Some(solve(ground, q))),
     }
 }
 
