@@ -9,8 +9,8 @@ use std::hint::black_box;
 use allocation_counter::measure;
 use common::Scene;
 use plm_impact::contact::law::{Law, UnloadingExponent};
+use plm_impact::impact::ScaledForces;
 use plm_impact::impact::solve::{closed_form, motion};
-use plm_impact::impact::{ScaledForces, TraceRecorder};
 use plm_impact::numerics::ode::DampingCoefficients;
 use plm_impact::numerics::ode::Integrator;
 use plm_impact::numerics::ode::rk8::Rk8;
@@ -52,7 +52,7 @@ fn impacts_allocate_nothing() {
                 let mut stepper = Rk8::new(tolerance);
                 let counted = measure(|| {
                     black_box(closed_form::solve_conservative(black_box(&law), speed, &forces, 1e-10)).unwrap();
-                    motion::integrate(&law, speed, &forces, &mut stepper, &mut TraceRecorder::default()).unwrap();
+                    motion::integrate(&law, speed, &forces, &mut stepper, None).unwrap();
                 });
                 assert_eq!(counted.count_total, 0, "{name} {forces:?} at {tolerance:e}");
                 assert!(stepper.stats().steps > 0, "{name} {forces:?} at {tolerance:e}");

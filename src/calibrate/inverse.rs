@@ -167,7 +167,8 @@ impl<'a> InverseProblem<'a> {
         let mut input = self.input.clone();
         input.set(self.free.key, Some(value));
         let approach = input.approach();
-        let contact = input.contact()?.at_speed(approach.normal)?;
+        let contact = input.contact()?;
+        let contact = contact.at_speed(approach.normal)?;
         let mut impact = contact.impact(approach, &input.solver(), None)?;
         let spec = &impact_results()[self.index];
         if spec.column.is_some_and(|column| column.needs == Requirement::Interval) {

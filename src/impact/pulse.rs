@@ -93,16 +93,15 @@ impl Contact {
     /// # Errors
     /// [`PulseError`] if the impact has no result, the sphere does not separate, or the step does not fit the contact time.
     pub fn pulse(&self, speed: f64, solver: &Solver, request: &PulseRequest) -> Result<Pulse, PulseError> {
-        let rated = self.contact_at_speed(speed)?;
-        rated.as_ref().unwrap_or(self).pulse_at(speed, solver, request)
+        self.at_speed(speed)?.pulse_at(speed, solver, request)
     }
 
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)] // below MAX_PULSE_SAMPLES
     fn pulse_at(&self, speed: f64, solver: &Solver, request: &PulseRequest) -> Result<Pulse, PulseError> {
         let case = self.scaled_impact(None, speed)?;
-        let mut recorder = TraceRecorder::recording();
+        let mut recorder = TraceRecorder::default();
         let mut integrator = Rk8::new(solver.tolerance);
-        let outcome = motion::integrate(case.ground, case.q, &case.forces, &mut integrator, &mut recorder)
+        let outcome = motion::integrate(case.ground, case.q, &case.forces, &mut integrator, Some(&mut recorder))
             .map_err(ImpactError::from)?;
         if outcome.end == ImpactEnd::Captured {
             return Err(PulseError::Captured);

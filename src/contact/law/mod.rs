@@ -14,6 +14,7 @@
 
 pub mod catalogue;
 mod contact_law;
+mod loading_history;
 mod peak_law;
 pub mod plm;
 pub mod published;
@@ -27,13 +28,14 @@ use crate::numerics::curve::LoadingCurve;
 use crate::strings::names::named_enum;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{ContactLaw, LawInfo, YieldingPair};
-pub use plm::unloading_rule::PlmUnloadingRule;
+pub use loading_history::LoadingHistory;
+pub use plm::unloading_rule::{PlmUnloadingRule, UnloadingExponent, pressure_shape_exponent};
 pub use plm::{CoefficientsError, DeferredCurve, Plm, PlmCoefficients};
 pub use published::{LawError, Loading};
-use published::{MAX_CLIPPING, MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
-pub use surface::{LoadingHistory, Surface};
-use unloading::OLD_PEAK_ROUNDING;
-pub use unloading::{ContactState, LoadedPoint, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+use published::{MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
+pub(crate) use recovery::ExponentClamp;
+pub use surface::Surface;
+pub use unloading::{ContactState, LoadedPoint, Unloading, UnloadingShape};
 
 /// How a contact unloads after loading beyond the elastic regime.
 #[derive(Debug, Clone)]
@@ -79,17 +81,6 @@ pub struct PeakLaw {
     ratio: f64,
 }
 
-/// An unloading exponent that is larger than the requested one, because the requested one would recover more energy than was spent.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct ExponentClamp {
-    /// The requested exponent.
-    pub(crate) requested: f64,
-    /// The exponent of the branch.
-    pub(crate) used: f64,
-    /// The energy that the requested exponent would recover, over the energy that was spent, minus 1.
-    pub(crate) gain: f64,
-}
-
 impl Law {
     pub fn new(loading: impl Into<Arc<LoadingCurve>>, validity: Validity, unloading_rule: UnloadingRule) -> Self {
         Self { loading: loading.into().into(), validity, unloading_rule }
@@ -112,7 +103,8 @@ impl Law {
     /// The PLM with this force of shallow dents.
     pub fn plm(shallow: Arc<LoadingCurve>, rule: Arc<PlmUnloadingRule>) -> Self {
         let loading = DeferredCurve::new(shallow, &rule);
-        Self { loading, validity: rule.validity(), unloading_rule: UnloadingRule::PlmRule(rule) }
+        let validity = Validity::new(1.0, rule.max_radius_ratio);
+        Self { loading, validity, unloading_rule: UnloadingRule::PlmRule(rule) }
     }
 
     /// The law of a published loading with a published unloading.
@@ -137,77 +129,6 @@ impl Law {
         self.loading.is_shallow(x)
     }
 
-    /// Fresh surface recovers the whole approach up to this x.
-    #[inline(always)]
-    pub(crate) fn recovers_fully_until(&self) -> f64 {
-        match &self.unloading_rule {
-            UnloadingRule::Relaxed(law) => law.elastic_until(),
-            _ => self.validity.elastic_until,
-        }
-    }
-
-    /// True if fresh surface that was loaded to x may keep a dent; the last digit of x does not matter.
-    #[inline(always)]
-    pub(crate) fn leaves_dent(&self, x: f64) -> bool {
-        x > self.recovers_fully_until() * (1.0 + f64::EPSILON)
-    }
-
-    /// The unloading of fresh surface from x.
-    #[inline(always)]
-    fn rule_at(&self, x: f64) -> &UnloadingRule {
-        if self.leaves_dent(x) { &self.unloading_rule } else { &UnloadingRule::Hertz }
-    }
-
-    /// The rule of unloading before a metal relaxes; for other laws the rule of unloading.
-    pub fn rule_while_loading(&self) -> &UnloadingRule {
-        self.unloading_rule.while_loading()
-    }
-
-    /// True if the force drops at maximum compression, where the metal relaxes.
-    pub(crate) fn relaxes(&self) -> bool {
-        matches!(self.unloading_rule, UnloadingRule::Relaxed(_))
-    }
-
-    /// The drop of the force where loading turns into this branch; only a metal that relaxes has one.
-    pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
-        let ContactState { indentation, force, .. } = unloading.peak;
-        if !matches!(self.rule_at(indentation), UnloadingRule::Relaxed(_)) {
-            return 0.0;
-        }
-        let fall = self.loading.force(indentation) - force;
-        // a smaller drop is rounding
-        if fall > OLD_PEAK_ROUNDING * force { fall } else { 0.0 }
-    }
-
-    /// The unloading branch from a point of the loading curve, or from a state that a contact remembers. If loading was elastic
-    /// (ε = x), n = 3/2 for every rule. The branch never recovers more than was spent.
-    #[inline(always)]
-    pub fn unload(&self, at: impl Into<LoadedPoint>) -> Unloading {
-        let at = at.into();
-        self.rule_at(at.indentation).unload(&self.loading, &at)
-    }
-
-    /// Elastic approach ε at a point (x, f) of the loading curve, the part of x that is recovered; 0 < ε ≤ x.
-    pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        let is_elastic = x <= self.validity.elastic_until * (1.0 + f64::EPSILON);
-        if is_elastic { x } else { self.unloading_rule.elastic_approach(&self.loading, x, force) }
-    }
-
-    /// The state at x on the loading curve, from which unloading may begin.
-    pub fn loaded_state(&self, x: f64) -> ContactState {
-        let force = self.loading.force(x);
-        ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
-    }
-
-    /// Contact radius a/a_L at x of the loading curve of a PLM without the flat of a sphere. It follows from the force of shallow dents.
-    pub(in crate::contact) fn plm_contact_radius_at(&self, x: f64) -> f64 {
-        let force = self.loading.shallow().force(x);
-        match self.rule_at(x) {
-            UnloadingRule::PlmRule(rule) => rule.contact_radius_at(x, force / rule.shallow_approach(x, force)),
-            _ => force / x,
-        }
-    }
-
     /// The range of x that the authors of the law state, if a plastic peak is outside of it.
     pub(crate) fn exceeded_fit_range(&self, peak: &ContactState) -> Option<(f64, f64)> {
         let x = peak.indentation;
@@ -219,65 +140,9 @@ impl Law {
         if let UnloadingRule::PlmRule(rule) = self.rule_while_loading() { rule.hardening.as_ref() } else { None }
     }
 
-    /// The exponents of this branch, if the requested exponent was raised: the requested one, the used one, and the gain of energy
-    /// that this avoids.
-    pub(crate) fn exponent_clamp(&self, unloading: &Unloading) -> Option<ExponentClamp> {
-        let (peak, used) = (&unloading.peak, unloading.exponent);
-        match self.rule_at(peak.indentation) {
-            UnloadingRule::PlmRule(rule) => {
-                let requested = rule.requested_exponent(peak);
-                // the energy of a branch is proportional to 1/(n + 1)
-                let gain = (used - requested) / (requested + 1.0);
-                (used > requested).then_some(ExponentClamp { requested, used, gain })
-            }
-            UnloadingRule::Relaxed(law) => law.exponent_clamp(unloading),
-            _ => None,
-        }
-    }
-
-    /// Checks that the law has an answer for the peak of this branch.
-    ///
-    /// # Errors
-    /// [`LawError`] if the law has no answer there: a published law outside of its formulas, and any law whose unloading would
-    /// recover more energy than was spent, by more than [`MAX_CLIPPING`].
-    #[inline]
-    pub fn check(&self, unloading: &Unloading) -> Result<(), LawError> {
-        let ContactState { indentation, .. } = unloading.peak;
-        let ratio = self.over_yield_indentation(indentation);
-        let refused = |problem| Err(LawError::Range { ratio, problem });
-        match self.rule_at(indentation) {
-            UnloadingRule::Hertz => Ok(()),
-            UnloadingRule::PlmRule(_) => match self.exponent_clamp(unloading) {
-                Some(ExponentClamp { requested, gain, .. }) if gain > MAX_CLIPPING => {
-                    Err(LawError::Exponent { requested, ratio, gain })
-                }
-                _ => Ok(()),
-            },
-            UnloadingRule::Published(_) if indentation > self.validity.max_indentation => {
-                refused("outside the range of its loading formulas")
-            }
-            UnloadingRule::Published(rule) => {
-                rule.failure_reason(&unloading.peak, self.loading.work(indentation)).map_or(Ok(()), refused)
-            }
-            UnloadingRule::Relaxed(law) => law.check(unloading),
-        }
-    }
-
     /// x over the yield indentation of this law; over the yield indentation of C_ν for a law without an elastic regime.
     pub(crate) fn over_yield_indentation(&self, x: f64) -> f64 {
         if self.validity.elastic_until > 0.0 { x / self.validity.elastic_until } else { x }
-    }
-
-    /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1).
-    ///
-    /// The radius of the PLM is within 6 % of finite elements up to a = 0.58 R. A mean pressure computed from it has twice the
-    /// error, with the opposite sign.
-    pub fn contact_radius(&self, peak: &ContactState) -> f64 {
-        if self.leaves_dent(peak.indentation) {
-            self.unloading_rule.contact_radius(peak)
-        } else {
-            self.unloading_rule.elastic_contact_radius(peak)
-        }
     }
 
     /// Force at x of a contact with the largest state `memory`, and the memory afterwards.

@@ -11,7 +11,7 @@
 //! recovers at most the work of loading. Fresh surface that turns at x_t ≤ 1 stays elastic.
 
 use super::unloading::{ContactState, LoadedPoint, Unloading, allowed_exponent};
-use super::{ExponentClamp, Law, LawError, PeakLaw, UnloadingRule};
+use super::{Law, LawError, PeakLaw, UnloadingRule};
 
 impl PeakLaw {
     /// r², r³.
@@ -48,20 +48,10 @@ impl PeakLaw {
         Unloading { peak: ContactState { indentation: x, elastic_approach, ..scaled.peak }, ..scaled }
     }
 
-    /// A branch in the units of this law.
-    fn in_own_units(&self, unloading: &Unloading) -> Unloading {
-        let [length, force] = self.units();
-        unloading.in_units(1.0 / length, 1.0 / force)
-    }
-
-    /// See [`Law::exponent_clamp`].
-    pub(super) fn exponent_clamp(&self, unloading: &Unloading) -> Option<ExponentClamp> {
-        self.law.exponent_clamp(&self.in_own_units(unloading))
-    }
-
     /// See [`Law::check`].
     pub(super) fn check(&self, unloading: &Unloading) -> Result<(), LawError> {
-        self.law.check(&self.in_own_units(unloading))
+        let [length, force] = self.units();
+        self.law.check(&unloading.in_units(1.0 / length, 1.0 / force))
     }
 
     /// Contact radius a/a_L of a turn at x.

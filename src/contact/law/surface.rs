@@ -17,69 +17,12 @@
 //! So a sphere follows a reloading path. On fresh surface this is the loading curve of the law. In a dent it has three parts: the
 //! unloading branch, the rest of the piece that holds the old peak, and the pieces behind that piece.
 
-use std::sync::Arc;
-
+use super::loading_history::LoadingHistory;
 use super::unloading::OLD_PEAK_ROUNDING;
 use super::{ContactState, Law, LawError, LoadedPoint, Unloading};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::power::nan_max;
-use crate::numerics::root::bisect;
-
-/// The dent of a spot that was loaded before.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LoadingHistory {
-    /// The unloading branch from the largest state so far.
-    pub unloading: Unloading,
-    reloading_path: Arc<LoadingCurve>,
-    /// True if the branch was made at another rate of strain than that of the law.
-    is_of_other_rate: bool,
-}
-
-impl Law {
-    /// The dent of a spot that was loaded to this peak.
-    pub fn history_after(&self, peak: ContactState) -> LoadingHistory {
-        self.history_after_unloading(self.unload(peak))
-    }
-
-    /// The dent of a spot with this unloading branch, which ends on the loading curve.
-    pub(crate) fn history_after_unloading(&self, unloading: Unloading) -> LoadingHistory {
-        self.dented_with(unloading, unloading.peak.force, false)
-    }
-
-    /// The dent with this unloading branch, which was made at another strain rate. Reloading follows the branch to its end, and then
-    /// the continuation of the branch until it meets this loading curve. If the branch ends above this loading curve, as after a
-    /// much faster impact, the force drops to the loading curve there.
-    pub(crate) fn dent_of_other_rate(&self, branch: &Unloading) -> LoadingHistory {
-        let (piece, old) = (branch.to_piece(), branch.peak);
-        let over = |recovered: f64| piece.force_at_distance(recovered) - self.loading.force(old.residual() + recovered);
-        if over(old.elastic_approach) >= 0.0 {
-            return self.dented_with(*branch, self.loading.force(old.indentation), true);
-        }
-        // a branch is steeper than any loading curve
-        let mut end = 2.0 * old.elastic_approach;
-        while over(end) < 0.0 && end.is_finite() {
-            end *= 2.0;
-        }
-        let (below, _) = bisect(old.elastic_approach, end, |recovered| over(recovered) < 0.0);
-        let force = piece.force_at_distance(below);
-        let met = ContactState { indentation: old.residual() + below, force, elastic_approach: below };
-        self.dented_with(branch.with_peak(met), force, true)
-    }
-
-    /// Like [`Law::history_after_unloading`], but the loading curve behind the branch begins with this force.
-    fn dented_with(&self, unloading: Unloading, force: f64, is_of_other_rate: bool) -> LoadingHistory {
-        let start = unloading.peak.indentation;
-        let index = self.loading.index_at(start);
-        let (cut, behind) = (&self.loading.pieces()[index], &self.loading.pieces()[index + 1..]);
-        let (stored, spent) = (unloading.recoverable_energy(), cut.work_at(start));
-        let first =
-            Piece { start, force, work: stored, is_subdivision: false, shape: cut.shape.with_shift(start - cut.start) };
-        let behind = behind.iter().map(|piece| Piece { work: stored + (piece.work - spent), ..piece.clone() });
-        let pieces = [unloading.to_piece(), first].into_iter().chain(behind).collect();
-        LoadingHistory { unloading, reloading_path: Arc::new(LoadingCurve::new(pieces)), is_of_other_rate }
-    }
-}
 
 /// The reported peak force is lower than the force at the end of loading by this fraction of the drop.
 const UNREPORTED_STEP_SHARE: f64 = 0.8;
@@ -332,9 +275,14 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The drop of the force where an impact turns into this branch; 0 in a dent.
+    /// The drop of the force where an impact turns into this branch; only a metal that relaxes has one, and not in a dent.
     pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
-        self.loading_law_at(unloading.peak.indentation).map_or(0.0, |law| law.force_drop_at_peak(unloading))
+        let ContactState { indentation, force, .. } = unloading.peak;
+        let relaxes = |law: &&Law| law.relaxes() && law.leaves_dent(indentation);
+        let fall =
+            self.loading_law_at(indentation).filter(relaxes).map_or(0.0, |law| law.loading.force(indentation) - force);
+        // a smaller drop is rounding
+        if fall > OLD_PEAK_ROUNDING * force { fall } else { 0.0 }
     }
 
     /// The reported peak force: the relaxed force and a fifth of the drop, as in the finite elements. With damping

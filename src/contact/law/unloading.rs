@@ -61,25 +61,6 @@ pub enum UnloadingShape {
     Curve(UnloadingCurveKind),
 }
 
-/// Which exponent n the unloading branch has.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum UnloadingExponent {
-    /// n = 3/2, the paper's law.
-    #[default]
-    Paper,
-    /// Any number in (1, 2], for comparison. Only the other two have a physical reason.
-    Fixed(f64),
-    /// n(Λ) from the contact pressure's shape at the peak: 3/2 for Hertz's ellipse, 3π/4 − 1 for uniform pressure.
-    PressureShape,
-}
-
-impl UnloadingExponent {
-    /// Takes the number 1.5 for the paper's law.
-    pub fn from_value(value: f64) -> Self {
-        if value == 1.5 { Self::Paper } else { Self::Fixed(value) }
-    }
-}
-
 /// Reloading with this relative excess over the energy that the branch can store still ends at the old peak. The excess is about
 /// ten rounding errors: a sphere that returns with the speed of its rebound has just this energy, except for rounding.
 pub const OLD_PEAK_ROUNDING: f64 = 32.0 * f64::EPSILON;
@@ -98,6 +79,8 @@ pub struct Unloading {
     /// n. A scenario gives it in (1, 2]; the straight branch of Walton and Braun has 1. Other shapes have the n of the power
     /// law that gives back the same energy, f_m ε_m/(n + 1).
     pub exponent: f64,
+    /// The exponent that the law asks for; `exponent` is larger if the branch would recover more than was spent.
+    pub(super) requested: f64,
     /// The curve of the branch from x_r on; `None` for a power law.
     pub(super) curve: Option<UnloadingCurve>,
 }
@@ -120,13 +103,6 @@ pub(crate) fn allowed_exponent(spent: f64, peak: &ContactState, requested: f64) 
     if whole > spent * (1.0 + 0.5 * OLD_PEAK_ROUNDING) * (requested + 1.0) { whole / spent - 1.0 } else { requested }
 }
 
-/// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform
-/// pressure (Λ = 3π/8, n = 3π/4 − 1), both exact.
-pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
-    const THREE_PI: f64 = 3.0 * std::f64::consts::PI;
-    1.5 - 2.0 * (10.0 - THREE_PI) / (THREE_PI - 8.0) * (radius_ratio - 1.0)
-}
-
 impl Unloading {
     /// A branch of that shape from a peak. If the shape is no power law, the exponent follows from the energy given back.
     pub fn new(peak: ContactState, shape: UnloadingShape) -> Self {
@@ -144,7 +120,13 @@ impl Unloading {
     /// The power law f_m (d/ε_m)^n.
     #[inline(always)]
     pub const fn power(peak: ContactState, exponent: f64) -> Self {
-        Self { peak, exponent, curve: None }
+        Self { peak, exponent, requested: exponent, curve: None }
+    }
+
+    /// The power law with the requested exponent, or with a larger one that recovers no more than was spent.
+    #[inline(always)]
+    pub(super) fn power_within(peak: ContactState, requested: f64, spent: f64) -> Self {
+        Self { requested, ..Self::power(peak, allowed_exponent(spent, &peak, requested)) }
     }
 
     /// A branch along this curve. From its whole peak, the branch of uniform pressure has the energy of n = 3π/4 − 1.
@@ -156,7 +138,7 @@ impl Unloading {
             let (_, energy) = curve.derivatives_and_work(peak.elastic_approach);
             peak.force * peak.elastic_approach / energy - 1.0
         };
-        Self { peak, exponent, curve: Some(curve) }
+        Self { peak, exponent, requested: exponent, curve: Some(curve) }
     }
 
     /// True if the branch is no power law.
@@ -202,7 +184,7 @@ impl Unloading {
         let peak = ContactState { elastic_approach, ..self.peak };
         let exponent = allowed_exponent(spent, &peak, self.exponent);
         let is_same = elastic_approach == self.peak.elastic_approach && exponent == self.exponent;
-        if is_same { *self } else { Self::power(peak, exponent) }
+        if is_same { *self } else { Self { requested: self.requested, ..Self::power(peak, exponent) } }
     }
 
     /// The branch in other units: lengths times `length`, forces times `force`.
@@ -215,7 +197,7 @@ impl Unloading {
             elastic_approach: elastic_approach * length,
         };
         let curve = self.curve.map(|curve| curve.in_units(length, force));
-        Self { peak, exponent: self.exponent, curve }
+        Self { peak, curve, ..*self }
     }
 
     /// The state at a distance from x_r, at most the peak. The distance has digits that x has lost.

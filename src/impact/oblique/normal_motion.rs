@@ -37,8 +37,8 @@ impl<'a> NormalMotion<'a> {
     /// The motion at q = v/V.
     pub fn new(ground: impl Into<Surface<'a>>, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
         let ground = ground.into();
-        let mut recorder = TraceRecorder::recording();
-        let outcome = motion::integrate(ground, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
+        let mut recorder = TraceRecorder::default();
+        let outcome = motion::integrate(ground, q, forces, &mut Rk8::new(1e-11), Some(&mut recorder))?;
         let track = recorder.into_motion(ground, outcome.unloading, forces.damping);
         let durations = [outcome.loading_time, outcome.contact_time];
         let is_published = matches!(ground.law.rule_while_loading(), UnloadingRule::Published(_));

@@ -136,12 +136,6 @@ impl ScaledForces {
         self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= largest)
     }
 
-    /// The distance from first contact to the point where an impact of energy `kinetic` (in units of Φ L) turns without damping.
-    pub(in crate::impact) fn turning_distance(&self, ground: Surface, kinetic: f64) -> f64 {
-        let (last, distance) = ground.turning_point(kinetic, self.weight);
-        ground.piece(last).start - ground.first_contact() + distance
-    }
-
     /// True if the rebound speed equals the impact speed: nothing absorbs energy, and the sphere separates where it touched. If it
     /// separates deeper, in a dent that cost no energy, its weight does work over this distance.
     pub(in crate::impact) fn is_lossless(&self, ground: Surface, unloading: &Unloading) -> bool {

@@ -18,6 +18,7 @@
 //! compression. g is the factor of the body that yields alone. Where both bodies yield, g = β g_s + (1 − β) g_h, with the fraction
 //! β of the sphere in the yielding ([`YieldPartition`]).
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::contact::{Contact, RateDependence, StrainRateResult};
@@ -75,16 +76,11 @@ impl Contact {
     ///
     /// # Errors
     /// [`ImpactError`] if a constant of the pair over- or underflows, or a factor is NaN.
-    pub fn at_speed(&self, speed: f64) -> Result<Self, ImpactError> {
-        Ok(self.contact_at_speed(speed)?.unwrap_or_else(|| self.clone()))
-    }
-
-    /// Like [`Contact::at_speed`]; `None` if the strength does not depend on the speed.
     #[inline]
-    pub(in crate::impact) fn contact_at_speed(&self, speed: f64) -> Result<Option<Self>, ImpactError> {
+    pub fn at_speed(&self, speed: f64) -> Result<Cow<'_, Self>, ImpactError> {
         match &self.rate_dependence {
-            None => Ok(None),
-            Some(rates) => self.solve_rate(rates, speed).map(Some),
+            None => Ok(Cow::Borrowed(self)),
+            Some(rates) => self.solve_rate(rates, speed).map(Cow::Owned),
         }
     }
 

@@ -45,7 +45,8 @@ impl Contact {
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
         let approach = approach.into();
-        if let Some(rated) = self.contact_at_speed(approach.normal)? {
+        if self.has_rate() {
+            let rated = self.at_speed(approach.normal)?;
             return self.rate_dependent_impact_on(spot, &rated, approach, solver, samples);
         }
         let (impact, ground, unloading) = self.impact_on_surface(spot.dent.as_ref(), approach, solver, samples)?;

@@ -99,13 +99,14 @@ fn integrate_and_record<I: Integrator>(
     mut integrator: I,
 ) -> Result<Solution, IntegrationError> {
     let (ground, q, forces) = case;
-    let mut recorder = if trace.is_some() { TraceRecorder::recording() } else { TraceRecorder::default() };
-    let outcome = motion::integrate(ground, q, forces, &mut integrator, &mut recorder)?;
-    let points = trace.map_or_else(Vec::new, |(samples, duration)| {
+    let mut recorder = trace.map(|_| TraceRecorder::default());
+    let outcome = motion::integrate(ground, q, forces, &mut integrator, recorder.as_mut())?;
+    let mut solution = Solution::new(outcome, integrator.stats());
+    if let (Some(recorder), Some((samples, duration))) = (recorder, trace) {
         let times = sample_times(samples, duration.unwrap_or(outcome.contact_time));
-        recorder.into_points(ground, &outcome.unloading, forces.damping, times)
-    });
-    Ok(Solution { trace_points: points, ..Solution::new(outcome, integrator.stats()) })
+        solution.trace_points = recorder.into_points(ground, &outcome.unloading, forces.damping, times);
+    }
+    Ok(solution)
 }
 
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form, if it exists. [`Method::Auto`] means rk8 here, and

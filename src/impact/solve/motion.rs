@@ -37,7 +37,7 @@ pub fn integrate<'a, I: Integrator>(
     q: f64,
     forces: &ScaledForces,
     integrator: &mut I,
-    recorder: &mut TraceRecorder,
+    recorder: Option<&mut TraceRecorder>,
 ) -> Result<ScaledResult, IntegrationError> {
     let ground = ground.into();
     let touch = MotionState { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
@@ -46,11 +46,11 @@ pub fn integrate<'a, I: Integrator>(
     let (piece, landing) = motion.load()?;
     let unloading = ground.unload(piece, motion.at.distance - entry_distance(ground, piece), None);
     let is_at_rest = landing == LegEnd::Rest;
-    motion.record(if is_at_rest { Event::Captured } else { Event::Peak });
-    let loading_time = motion.at.time;
+    let turning = motion.at;
+    motion.record(if is_at_rest { Event::Captured } else { Event::Peak }, turning);
     motion.at.distance = unloading.peak.elastic_approach;
     let end = if is_at_rest { ImpactEnd::Captured } else { motion.unload(&unloading)? };
-    Ok(motion.result(unloading, loading_time, end))
+    Ok(motion.result(unloading, turning.time, end))
 }
 
 /// An impact during its integration.
@@ -59,7 +59,7 @@ struct Motion<'a, 'r, I> {
     q: f64,
     forces: &'r ScaledForces,
     integrator: &'r mut I,
-    recorder: &'r mut TraceRecorder,
+    recorder: Option<&'r mut TraceRecorder>,
     /// First contact.
     touch: MotionState,
     at: MotionState,
@@ -70,14 +70,16 @@ struct Motion<'a, 'r, I> {
 impl<I: Integrator> Motion<'_, '_, I> {
     /// Integrates a leg, on a piece of the loading curve or on the unloading branch.
     fn run_leg(&mut self, problem: &LegProblem, piece: Option<usize>) -> Result<LegEnd, IntegrationError> {
-        let track = self.recorder.begin_leg(piece, &self.touch);
+        let track = self.recorder.as_deref_mut().map(|recorder| recorder.begin_leg(piece, &self.touch));
         let LegResult { end, largest_force } = self.integrator.integrate_leg(problem, &mut self.at, track)?;
         self.largest_force = nan_max(self.largest_force, largest_force / FORCE_FACTOR);
         Ok(end)
     }
 
-    fn record(&mut self, event: Event) {
-        self.recorder.record_event(event, &self.at);
+    fn record(&mut self, event: Event, at: MotionState) {
+        if let Some(recorder) = self.recorder.as_deref_mut() {
+            recorder.record_event(event, at);
+        }
     }
 
     /// True if the sphere may come to rest without turning, which takes gravity and damping.
@@ -89,7 +91,8 @@ impl<I: Integrator> Motion<'_, '_, I> {
     fn load(&mut self) -> Result<(usize, LegEnd), IntegrationError> {
         let Self { ground, q, forces, .. } = *self;
         let (pull, drag) = (FORCE_FACTOR * forces.weight, forces.damping);
-        let distance = forces.turning_distance(ground, kinetic_energy(q));
+        let (last, distance) = ground.turning_point(kinetic_energy(q), forces.weight);
+        let distance = ground.piece(last).start - ground.first_contact() + distance;
         let error_scales = ErrorScales { distance, speed: (q * q + pull * distance).sqrt() };
         let static_point = self.may_creep().then(|| forces.equilibrium_on_loading(ground));
         let mut index = 0;
@@ -111,9 +114,9 @@ impl<I: Integrator> Motion<'_, '_, I> {
             }
             index += 1;
             give_way(&mut self.at, ground.fall_at_start(index), drag);
-            if self.recorder.is_enabled() && !ground.piece(index).is_subdivision {
+            if !ground.piece(index).is_subdivision {
                 let is_yield = ground.piece(index).start == ground.elastic_until();
-                self.record(if is_yield { Event::Yield } else { Event::Knot });
+                self.record(if is_yield { Event::Yield } else { Event::Knot }, self.at);
             }
             self.at.distance = entry_distance(ground, index);
         }
@@ -149,7 +152,7 @@ impl<I: Integrator> Motion<'_, '_, I> {
         if relaxed.speed > 0.0 {
             landing = self.run_leg(&problem, None)?;
             if drop > 0.0 {
-                self.recorder.record_event(Event::Relaxation, &relaxed);
+                self.record(Event::Relaxation, relaxed);
             }
             self.at.speed = 0.0;
         }
@@ -158,10 +161,10 @@ impl<I: Integrator> Motion<'_, '_, I> {
             landing = self.run_leg(&problem, None)?;
         }
         if drop > 0.0 && relaxed.speed == 0.0 {
-            self.recorder.record_event(Event::Relaxation, &relaxed);
+            self.record(Event::Relaxation, relaxed);
         }
         let separates = matches!(landing, LegEnd::PieceEnd | LegEnd::LiftOff) && !is_captured;
-        self.record(if separates { Event::Separation } else { Event::Captured });
+        self.record(if separates { Event::Separation } else { Event::Captured }, self.at);
         Ok(if separates { ImpactEnd::Separated } else { ImpactEnd::Captured })
     }
 

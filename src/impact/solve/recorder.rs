@@ -77,37 +77,27 @@ struct RecordedLeg {
     events: Vec<(Event, MotionState)>,
 }
 
-/// Records the continuous solution and the events of every leg of a motion, if it is switched on.
+/// Records the continuous solution and the events of every leg of a motion.
 #[derive(Debug, Default)]
 pub struct TraceRecorder {
-    legs: Option<Vec<RecordedLeg>>,
+    legs: Vec<RecordedLeg>,
 }
 
 impl TraceRecorder {
-    pub fn recording() -> Self {
-        Self { legs: Some(Vec::new()) }
-    }
-
-    #[inline]
-    pub(in crate::impact) fn is_enabled(&self) -> bool {
-        self.legs.is_some()
-    }
-
     /// Begins a leg on a piece of the loading curve, or on the unloading branch. The first leg begins with first contact.
-    #[inline]
-    pub(in crate::impact) fn begin_leg(
-        &mut self,
-        piece: Option<usize>,
-        touch: &MotionState,
-    ) -> Option<&mut Vec<DenseOutput>> {
-        self.legs.as_mut().and_then(|legs| start_leg(legs, piece, touch))
+    #[cold] // a run without a trace is faster without this code in it
+    pub(in crate::impact) fn begin_leg(&mut self, piece: Option<usize>, touch: &MotionState) -> &mut Vec<DenseOutput> {
+        let events = if self.legs.is_empty() { vec![(Event::Touch, *touch)] } else { Vec::new() };
+        let place = self.legs.len();
+        self.legs.push(RecordedLeg { piece, track: Vec::new(), events });
+        &mut self.legs[place].track
     }
 
     /// Records an event of the last leg.
-    #[inline]
-    pub(in crate::impact) fn record_event(&mut self, event: Event, at: &MotionState) {
-        if let Some(legs) = &mut self.legs {
-            push_event(legs, event, at);
+    #[cold]
+    pub(in crate::impact) fn record_event(&mut self, event: Event, at: MotionState) {
+        if let Some(leg) = self.legs.last_mut() {
+            leg.events.push((event, at));
         }
     }
 
@@ -118,7 +108,7 @@ impl TraceRecorder {
         unloading: Unloading,
         drag: DampingCoefficients,
     ) -> RecordedMotion<'_> {
-        RecordedMotion { ground, unloading, drag, legs: self.legs.unwrap_or_default() }
+        RecordedMotion { ground, unloading, drag, legs: self.legs }
     }
 
     /// The points of the motion at these rising times and at its events, in order of time.
@@ -130,7 +120,7 @@ impl TraceRecorder {
         times: impl Iterator<Item = f64>,
     ) -> Vec<TracePoint> {
         let (mut points, mut times, mut begun) = (Vec::new(), times.peekable(), 0.0);
-        for RecordedLeg { piece, track, mut events } in self.legs.into_iter().flatten() {
+        for RecordedLeg { piece, track, mut events } in self.legs {
             let point = |at: &MotionState, event: Option<Event>| trace_point(ground, unloading, drag, piece, at, event);
             if let Some(state) = piece.and_then(|index| first_yield_state(ground, index, begun, &track)) {
                 let place = events.partition_point(|(_, at)| at.time <= state.time);
@@ -201,24 +191,6 @@ impl RecordedMotion<'_> {
     /// The point of the motion at a state on this piece of the loading curve.
     pub(in crate::impact) fn loading_point(&self, piece: usize, at: &MotionState) -> TracePoint {
         trace_point(self.ground, &self.unloading, self.drag, Some(piece), at, None)
-    }
-}
-
-#[cold] // a run without a trace is faster without this code in it
-fn start_leg<'a>(
-    legs: &'a mut Vec<RecordedLeg>,
-    piece: Option<usize>,
-    touch: &MotionState,
-) -> Option<&'a mut Vec<DenseOutput>> {
-    let events = if legs.is_empty() { vec![(Event::Touch, *touch)] } else { Vec::new() };
-    legs.push(RecordedLeg { piece, track: Vec::new(), events });
-    legs.last_mut().map(|leg| &mut leg.track)
-}
-
-#[cold]
-fn push_event(legs: &mut [RecordedLeg], event: Event, at: &MotionState) {
-    if let Some(leg) = legs.last_mut() {
-        leg.events.push((event, *at));
     }
 }
 

@@ -52,8 +52,8 @@ pub(crate) fn peak_warnings(ground: Surface, peak: &ContactState) -> impl Iterat
 
 /// The warning for an exponent of unloading that is not the one that was asked for.
 pub(crate) fn exponent_warning(ground: Surface, unloading: &Unloading) -> Option<Warning> {
-    let ExponentClamp { requested: asked, used, gain } =
-        ground.loading_law_at(unloading.peak.indentation)?.exponent_clamp(unloading)?;
+    ground.loading_law_at(unloading.peak.indentation)?;
+    let ExponentClamp { requested: asked, used, gain } = unloading.exponent_clamp()?;
     let text = format!(
         "e is 1 apart from gravity and drag, because the unloading exponent was raised from {asked} to {}. With {asked} the recovered energy would exceed the loading work by {}. Use a larger exponent.",
         format_four_digits(used),

@@ -74,7 +74,7 @@ impl PyContact {
     pub(super) fn at_rate_of(&self, speed: f64) -> Result<Option<impact::Contact>, Error> {
         let normal = self.input.approach_at(speed).normal;
         let own = self.inner.has_rate().then(|| self.inner.at_speed(normal)).transpose();
-        own.map_err(|reason| no_result_error(&self.scenario, &reason))
+        own.map(|own| own.map(Cow::into_owned)).map_err(|reason| no_result_error(&self.scenario, &reason))
     }
 
     pub(super) fn compute_pulse(

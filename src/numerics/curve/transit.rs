@@ -62,17 +62,8 @@ impl TransitSeries {
     pub(super) fn last_knot(&self, pieces: &[Piece], kinetic: f64) -> Option<&TransitKnot> {
         let slow_from = pieces.partition_point(|piece| piece.work <= MAX_WORK_RATIO * kinetic);
         let count = slow_from.saturating_sub(1).min(self.knots.len());
-        let last = self.knots.get(count.checked_sub(1)?)?;
-        last.get().or_else(|| self.knot_with_series(pieces, count))
-    }
-
-    /// The series of knot number `count`, from the last knot before it that has one. The knots between keep none: a contact with one
-    /// impact asks for one knot.
-    #[cold]
-    fn knot_with_series(&self, pieces: &[Piece], count: usize) -> Option<&TransitKnot> {
-        let (asked, before) = self.knots[..count].split_last()?;
-        let known = before.iter().rev().find_map(OnceLock::get);
-        Some(asked.get_or_init(|| TransitKnot::after(known, &pieces[..=count])))
+        let (last, before) = self.knots[..count].split_last()?;
+        Some(last.get_or_init(|| TransitKnot::after(before, &pieces[..=count])))
     }
 }
 
@@ -88,8 +79,11 @@ pub(super) struct TransitKnot {
 }
 
 impl TransitKnot {
-    /// The knot where the last of the pieces begins. The sum continues from the knot `known`, or from first contact.
-    fn after(known: Option<&Self>, pieces: &[Piece]) -> Self {
+    /// The knot where the last of the pieces begins. The sum continues from the last of the knots `before` that has its series, or from
+    /// first contact. The knots between keep none: a contact with one impact asks for one knot.
+    #[cold]
+    fn after(before: &[OnceLock<Self>], pieces: &[Piece]) -> Self {
+        let known = before.iter().rev().find_map(OnceLock::get);
         let (begin, mut coefficients) = known.map_or((0, [0.0; SERIES_TERMS]), |knot| (knot.piece, knot.coefficients));
         for pair in pieces[begin..].windows(2) {
             add_piece(&mut coefficients, &pair[0], &pair[1]);

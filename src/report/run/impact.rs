@@ -24,7 +24,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     let refuse = |reason| no_result_error(scenario, &reason);
     // the strength is that of this speed from here on
     let speed = input.approach().normal;
-    let contact = contact.at_speed(speed).map_err(refuse)?;
+    let contact = contact.at_speed(speed).map_err(refuse)?.into_owned();
     let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
     impact.warnings.extend(scenario.unused_key_warnings(std::slice::from_ref(&input), Kind::Impact));
     impact.warnings.extend(input.flight_warnings());

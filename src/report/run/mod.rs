@@ -96,7 +96,7 @@ pub fn rate_dependent_contact(scenario: &Scenario, input: &Input, contact: &Cont
         let message = "strain-rate keys require impact.speed, because the contact law is evaluated for that speed. Add impact.speed.";
         return Err(scenario.document.refusal(table, message));
     }
-    contact.at_speed(speed).map(Some).map_err(|reason| no_result_error(scenario, &reason))
+    contact.at_speed(speed).map(|rated| Some(rated.into_owned())).map_err(|reason| no_result_error(scenario, &reason))
 }
 
 /// Refuses a scenario with warnings, if `is_strict`.

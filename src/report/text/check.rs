@@ -1,5 +1,7 @@
 //! The output of `check --json`: the inputs, and the numbers that follow from them before anything is run.
 
+use std::borrow::Cow;
+
 use serde_json::{Map, Value};
 
 use super::inputs::Inputs;
@@ -40,7 +42,7 @@ pub fn contact_results() -> Vec<ResultSpec<Contact>> {
 /// The contact with the strengths at the strain rate of the speed, where they depend on it.
 pub(super) fn contact_at_own_speed(input: &Input, contact: &Contact) -> Contact {
     let speed = input.approach().normal;
-    contact.at_speed(speed).unwrap_or_else(|_| contact.clone())
+    contact.at_speed(speed).map_or_else(|_| contact.clone(), Cow::into_owned)
 }
 
 /// A scenario of impacts; of a table, it is its first case.

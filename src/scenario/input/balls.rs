@@ -1,5 +1,7 @@
 //! Two balls with the bodies of a scenario, for codes that move many spheres.
 
+use std::borrow::Cow;
+
 use super::read_input::is_at_or_below;
 use super::{Body, Input};
 use crate::contact::body::sphere_volume;
@@ -42,7 +44,7 @@ impl Input {
     /// [`ImpactError`] as of [`Input::contact`], and if there is no such speed.
     pub fn contact_at_own_speed(&self) -> Result<Contact, ImpactError> {
         let contact = self.contact()?;
-        if contact.has_rate() { contact.at_speed(self.speed()) } else { Ok(contact) }
+        if contact.has_rate() { contact.at_speed(self.speed()).map(Cow::into_owned) } else { Ok(contact) }
     }
 
     /// These bodies as two of one material: where one of them has no strength, it has the strength of the other.

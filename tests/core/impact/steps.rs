@@ -22,7 +22,7 @@ fn contacts() -> Vec<(&'static str, Contact)> {
         by_law("pressure shape", &["law.plm.unloading_exponent=\"pressure-shape\""]),
         ("balls", contact(&balls, &["law.plm.unloading_exponent=\"pressure-shape\""])),
         ("elastic", contact(&elastic, NO_OVERRIDES)),
-        ("relaxing", contact(&rated, NO_OVERRIDES).at_speed(3.0).unwrap()),
+        ("relaxing", contact(&rated, NO_OVERRIDES).at_speed(3.0).unwrap().into_owned()),
         by_law("thornton", &["law=\"thornton\""]),
         by_law("stronge", &["law=\"stronge\""]),
         by_law("mesarovic_johnson", &["law=\"mesarovic_johnson\""]),

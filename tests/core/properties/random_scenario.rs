@@ -153,7 +153,7 @@ impl Run {
 
     /// The contact with the strength of the strain rate of this impact.
     pub fn contact_at_own_rate(&self) -> Contact {
-        self.contact.at_speed(self.speed()).unwrap()
+        self.contact.at_speed(self.speed()).unwrap().into_owned()
     }
 
     pub fn is_plm(&self) -> bool {

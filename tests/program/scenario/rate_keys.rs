@@ -32,7 +32,7 @@ fn material_gives_rate_only_on_request() {
     // the yield point that is printed, and that of the JSON, are those at the strain rate of the speed
     let (json, _) = Sandbox::with(&asked).run_expecting(&["check", "s.toml", "--json"], 0);
     let json: Value = serde_json::from_str(&json).unwrap();
-    let own = scene(&asked, NO_OVERRIDES).contact().unwrap().at_speed(3.0).unwrap();
+    let own = scene(&asked, NO_OVERRIDES).contact().unwrap().at_speed(3.0).unwrap().into_owned();
     let force = own.pair().yield_point.unwrap().force;
     assert_eq!(json["contact"]["yield_force_N"], force);
     assert!(said.contains(&format_si_and_short(force, Dimension::Force)), "{said}");

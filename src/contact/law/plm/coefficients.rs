@@ -206,15 +206,10 @@ impl PlmCoefficients {
     /// The law, without the flat of a sphere, for a pair that yields at `a_Y` / R = `yield_radius_ratio`.
     pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
         let [kappa, _] = pair.law_shares();
-        let loading = self.shallow_loading(kappa * kappa, Self::pressure_ratio(pair));
+        let loading = self.shallow_loading(kappa * kappa, pressure_ratio(pair));
         let depth = self.depth(pair, yield_radius_ratio, &loading);
         let rule = self.unloading_rule(pair, yield_radius_ratio, exponent);
         Law::plm(loading, Arc::new(PlmUnloadingRule { depth, ..rule }))
-    }
-
-    /// c of a pair ([`poisson`](super::poisson)); 1 for bodies that do not yield.
-    pub(super) fn pressure_ratio(pair: &Pair) -> f64 {
-        pair.yield_point.as_ref().map_or(1.0, pressure_ratio)
     }
 
     /// The loading of shallow dents for this κ² and this c, in units of first yield.
@@ -271,7 +266,7 @@ impl PlmCoefficients {
         let kappa_squared = kappa * kappa;
         let table = &self.elastic_approach;
         let first = (table.first_slope + table.first_slope_kappa_squared * kappa_squared).min(table.first_slope_limit);
-        let of_poisson = self.poisson.map_or(1.0, |poisson| poisson.approach_factor(Self::pressure_ratio(pair)));
+        let of_poisson = self.poisson.map_or(1.0, |poisson| poisson.approach_factor(pressure_ratio(pair)));
         ApproachSlopes {
             first,
             plastic_from: self.plastic_from(rho),

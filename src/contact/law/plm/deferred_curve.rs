@@ -43,8 +43,8 @@ impl DeferredCurve {
     /// The whole curve, or at least its part that a sphere of this kinetic energy and weight reaches.
     #[inline(always)]
     pub fn reached_by(&self, kinetic: f64, weight: f64) -> &LoadingCurve {
-        match &self.deep {
-            Some(rule) if !rule.turns_before_depth(kinetic, weight) => self,
+        match self.deep.as_ref().and_then(|rule| rule.depth.as_ref()) {
+            Some(depth) if !depth.is_out_of_reach(kinetic, weight) => self,
             _ => &self.shallow,
         }
     }

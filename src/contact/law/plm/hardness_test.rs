@@ -16,8 +16,8 @@
 //! metals are on the side of 2.9 (`tests/program/scenario/materials.rs`).
 
 use super::coefficients::PlmCoefficients;
+use super::unloading_rule::UnloadingExponent;
 use crate::contact::body::{HalfSpace, Material, Sphere};
-use crate::contact::law::unloading::UnloadingExponent;
 use crate::contact::pair::Pair;
 use crate::contact::strength::flow_curve::{FlowCurve, yield_strength_of_power};
 use crate::contact::strength::hardness::TABOR_STRAIN;

@@ -27,7 +27,7 @@ pub mod unloading_rule;
 use std::sync::{Arc, LazyLock};
 
 use super::contact_law::{ContactLaw, YieldingPair};
-use super::published::{LawParts, LoadedState, Loading};
+use super::published::{LawParts, LoadedState, Loading, Validity};
 use super::{Law, LawError, UnloadingExponent};
 use crate::contact::pair::Pair;
 use crate::contact::strength::flow_curve::FlowCurve;
@@ -143,56 +143,40 @@ impl Plm {
     /// The loading of shallow dents in a half-space that does not harden.
     fn shallow_loading(&self, pair: &Pair) -> Arc<LoadingCurve> {
         let [kappa, _] = pair.law_shares();
-        let (square, ratio) = (kappa * kappa, PlmCoefficients::pressure_ratio(pair));
+        let (square, ratio) = (kappa * kappa, poisson::pressure_ratio(pair));
         let source = LoadingSource(Arc::clone(&self.coefficients), square, ratio);
         let loading = || self.coefficients.shallow_loading(square, ratio);
         let (first_source, first) = self.shared_loading.0.get_or_init(|| (source.clone(), loading()));
         if *first_source == source { first.clone() } else { loading() }
     }
 
-    /// The loading of shallow dents without the flat of a sphere, and how the pair unloads from it.
-    fn without_flat(&self, bodies: &YieldingPair) -> (Arc<LoadingCurve>, PlmUnloadingRule) {
-        let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
-        let perfect = self.shallow_loading(pair);
-        let rule = self.coefficients.unloading_rule(pair, ratio, self.exponent);
-        let [sphere, half_space] = &self.flow;
-        let flows = bodies.yield_point.yield_partition;
-        let Some(flow) = flows.for_softer([sphere, half_space]) else { return (perfect, rule) };
-        let slow = bodies.yield_point.strength / self.rate_factor;
-        let rise = flow.normalise(slow, bodies.modulus());
-        let hardening = Hardening::new(rise, ratio, self.coefficients.approach_slopes(pair));
-        let max_radius_ratio = self.coefficients.validity.hardening;
-        let curve = Arc::new(hardening.loading_curve(&perfect));
-        (curve, PlmUnloadingRule { hardening: Some(hardening), max_radius_ratio, ..rule })
-    }
-
-    /// The loading of shallow dents with the flats of balls that flow, and how the pair unloads from it.
-    fn with_flat(&self, bodies: &YieldingPair) -> (Arc<LoadingCurve>, PlmUnloadingRule) {
-        let (plain, rule) = self.without_flat(bodies);
-        let pair = &bodies.pair;
-        if pair.balls.iter().all(|ball| ball.share * ball.curvature == 0.0) {
-            return (plain, rule);
-        }
-        let [_, rho] = pair.law_shares();
-        let (curve, flattening) = Flattening::new(
-            pair,
-            bodies.yield_radius_ratio(),
-            self.coefficients.plastic_from(rho),
-            plain,
-            rule.hertz_equivalent_radii(),
-            |x, equivalent| rule.contact_radius_at(x, equivalent),
-        );
-        let limits = self.coefficients.validity;
-        let is_shared = bodies.yield_point.yield_partition.is_shared();
-        let max_radius_ratio = if is_shared { limits.both_yield } else { limits.yielding_sphere };
-        (Arc::new(curve), PlmUnloadingRule { flattening: Some(flattening), max_radius_ratio, ..rule })
-    }
-
-    /// The loading of shallow dents, and how the pair loads and unloads at any depth.
+    /// The loading of shallow dents, and how the pair loads and unloads at any depth. A body of constant strength comes first. Then
+    /// hardening, the flats of balls that flow, and deep dents change what comes before.
     fn for_bodies(&self, bodies: &YieldingPair) -> (Arc<LoadingCurve>, Arc<PlmUnloadingRule>) {
-        let (shallow, rule) = self.with_flat(bodies);
-        let depth = self.coefficients.depth(&bodies.pair, bodies.yield_radius_ratio(), &shallow);
-        (shallow, Arc::new(PlmUnloadingRule { depth, ..rule }))
+        let YieldingPair { pair, yield_point } = bodies;
+        let (flows, ratio, limits) =
+            (yield_point.yield_partition, bodies.yield_radius_ratio(), self.coefficients.validity);
+        let mut curve = self.shallow_loading(pair);
+        let mut rule = self.coefficients.unloading_rule(pair, ratio, self.exponent);
+        let [sphere, half_space] = &self.flow;
+        if let Some(flow) = flows.for_softer([sphere, half_space]) {
+            let rise = flow.normalise(yield_point.strength / self.rate_factor, bodies.modulus());
+            let hardening = Hardening::new(rise, ratio, self.coefficients.approach_slopes(pair));
+            curve = Arc::new(hardening.loading_curve(&curve));
+            rule = PlmUnloadingRule { hardening: Some(hardening), max_radius_ratio: limits.hardening, ..rule };
+        }
+        if pair.balls.iter().any(|ball| ball.share * ball.curvature != 0.0) {
+            let [_, rho] = pair.law_shares();
+            let plastic_from = self.coefficients.plastic_from(rho);
+            let radius = |x, equivalent| rule.contact_radius_at(x, equivalent);
+            let equivalents = rule.hertz_equivalent_radii();
+            let (flat_curve, flattening) = Flattening::new(pair, ratio, plastic_from, curve, equivalents, radius);
+            curve = Arc::new(flat_curve);
+            let max_radius_ratio = if flows.is_shared() { limits.both_yield } else { limits.yielding_sphere };
+            rule = PlmUnloadingRule { flattening: Some(flattening), max_radius_ratio, ..rule };
+        }
+        rule.depth = self.coefficients.depth(pair, ratio, &curve);
+        (curve, Arc::new(rule))
     }
 }
 
@@ -200,7 +184,7 @@ impl ContactLaw for Plm {
     fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
         let (shallow, rule) = self.for_bodies(bodies);
         let curve = rule.deep_curve().map_or(shallow, |deep| Arc::new(deep.clone()));
-        let (limits, of_radius) = (rule.validity(), Arc::clone(&rule));
+        let (limits, of_radius) = (Validity::new(1.0, rule.max_radius_ratio), Arc::clone(&rule));
         let radius = move |x, force| of_radius.contact_radius(&of_radius.state(x, force));
         let loading = Loading { curve, limits, contact_radius: Arc::new(radius) };
         LawParts {

@@ -12,7 +12,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::contact::pair::{YieldPoint, yield_factor};
+use crate::contact::pair::{Pair, yield_factor};
 use crate::numerics::functions::{exp, ln, pow};
 
 /// ν of the finite elements behind the other coefficients.
@@ -28,8 +28,9 @@ pub struct PoissonTable {
     pub approach: f64,
 }
 
-/// c of the body that yields; exactly 1 for ν = 0.3.
-pub(super) fn pressure_ratio(point: &YieldPoint) -> f64 {
+/// c of the body of a pair that yields; exactly 1 for ν = 0.3, and for bodies that do not yield.
+pub(super) fn pressure_ratio(pair: &Pair) -> f64 {
+    let Some(point) = &pair.yield_point else { return 1.0 };
     let of_body = if point.poissons_ratio < 0.0 { yield_factor(0.0) } else { point.factor };
     yield_factor(FITTED) / of_body
 }

@@ -7,10 +7,8 @@ use super::contact_radius::RadiusTable;
 use super::depth::Depth;
 use super::flattening::Flattening;
 use super::hardening::Hardening;
-use crate::contact::law::published::{LoadedState, Recovery, Validity};
-use crate::contact::law::unloading::{
-    ContactState, LoadedPoint, UnloadingExponent, UnloadingShape, pressure_shape_exponent,
-};
+use crate::contact::law::published::{LoadedState, Recovery};
+use crate::contact::law::unloading::{ContactState, LoadedPoint, UnloadingShape};
 use crate::numerics::curve::LoadingCurve;
 
 /// How the PLM unloads beyond first yield.
@@ -52,12 +50,33 @@ impl Default for ValidityTable {
     }
 }
 
-impl PlmUnloadingRule {
-    /// Where loading holds.
-    pub(crate) fn validity(&self) -> Validity {
-        Validity::new(1.0, self.max_radius_ratio)
-    }
+/// Which exponent n the unloading branch has.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum UnloadingExponent {
+    /// n = 3/2, the paper's law.
+    #[default]
+    Paper,
+    /// Any number in (1, 2], for comparison. Only the other two have a physical reason.
+    Fixed(f64),
+    /// n(Λ) from the contact pressure's shape at the peak: 3/2 for Hertz's ellipse, 3π/4 − 1 for uniform pressure.
+    PressureShape,
+}
 
+impl UnloadingExponent {
+    /// Takes the number 1.5 for the paper's law.
+    pub fn from_value(value: f64) -> Self {
+        if value == 1.5 { Self::Paper } else { Self::Fixed(value) }
+    }
+}
+
+/// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform
+/// pressure (Λ = 3π/8, n = 3π/4 − 1), both exact.
+pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
+    const THREE_PI: f64 = 3.0 * std::f64::consts::PI;
+    1.5 - 2.0 * (10.0 - THREE_PI) / (THREE_PI - 8.0) * (radius_ratio - 1.0)
+}
+
+impl PlmUnloadingRule {
     /// The state at a point (x, f) of the loading curve.
     #[inline(always)]
     pub(crate) fn state(&self, x: f64, force: f64) -> ContactState {
@@ -102,12 +121,6 @@ impl PlmUnloadingRule {
     #[inline(always)]
     pub(super) fn depth_at(&self, x: f64) -> Option<&Depth> {
         self.depth.as_ref().filter(|depth| depth.applies_at(x))
-    }
-
-    /// True if a sphere with this kinetic energy and weight turns before the correction for deep dents applies.
-    #[inline(always)]
-    pub(super) fn turns_before_depth(&self, kinetic: f64, weight: f64) -> bool {
-        self.depth.as_ref().is_none_or(|depth| depth.is_out_of_reach(kinetic, weight))
     }
 
     /// The force at x of a deep dent, without the rest of the loading curve; `None` from where y is constant.
@@ -199,15 +212,9 @@ impl PlmUnloadingRule {
             }
             (known, _) => {
                 let peak = peak(known.unwrap_or_else(|| self.shallow_approach(indentation, force)));
-                (peak, self.requested_exponent(&peak))
+                (peak, self.exponent_at(&peak, || self.hertz_equivalent_radius(&peak)))
             }
         }
-    }
-
-    /// The requested exponent; the exponent of Hertz without a dent.
-    #[inline(always)]
-    pub(crate) fn requested_exponent(&self, peak: &ContactState) -> f64 {
-        self.exponent_at(peak, || self.hertz_equivalent_radius(peak))
     }
 
     /// The elastic approach and the exponent at a peak on the loading curve of another law. Its force need not be that of this
@@ -227,30 +234,25 @@ impl PlmUnloadingRule {
         Recovery { elastic_approach, shape: UnloadingShape::Power(exponent) }
     }
 
-    /// The exponent that is asked for at a peak with this A.
+    /// The exponent that is asked for at a peak with this A. That of the shape of the contact pressure is at least 1: a force with a
+    /// smaller exponent would leave the contact with an infinite stiffness.
     #[inline(always)]
     fn exponent_at(&self, peak: &ContactState, equivalent: impl FnOnce() -> f64) -> f64 {
         match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
             UnloadingExponent::PressureShape if peak.indentation > 1.0 => {
-                self.pressure_shape(peak.indentation, equivalent())
+                let equivalent = equivalent();
+                let exponent = match &self.hardening {
+                    None => pressure_shape_exponent(self.radius.pressure_shape_at(equivalent)),
+                    Some(hardening) => {
+                        let shape = hardening.pressure_shape(peak.indentation, equivalent);
+                        pressure_shape_exponent(self.radius.pressure_shape_at(shape.equivalent)) - shape.exponent_loss()
+                    }
+                };
+                exponent.max(1.0)
             }
             _ => 1.5,
         }
-    }
-
-    /// The exponent that follows from the shape of the contact pressure at x beyond first yield, where A is this. It is at least
-    /// 1: a force with a smaller exponent would leave the contact with an infinite stiffness.
-    #[inline(always)]
-    fn pressure_shape(&self, x: f64, equivalent: f64) -> f64 {
-        let exponent = match &self.hardening {
-            None => pressure_shape_exponent(self.radius.pressure_shape_at(equivalent)),
-            Some(hardening) => {
-                let shape = hardening.pressure_shape(x, equivalent);
-                pressure_shape_exponent(self.radius.pressure_shape_at(shape.equivalent)) - shape.exponent_loss()
-            }
-        };
-        exponent.max(1.0)
     }
 
     /// a/a_Y at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε.

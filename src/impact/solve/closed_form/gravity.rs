@@ -11,7 +11,6 @@ use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::{kinetic_energy, speed_at_energy};
 use crate::impact::solve::motion;
 use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
-use crate::impact::solve::recorder::TraceRecorder;
 use crate::numerics::ode::IntegrationError;
 use crate::numerics::ode::rk8::Rk8;
 
@@ -31,7 +30,7 @@ pub(super) fn solve(
     let energy = unloading.recoverable_energy() - unloading.stored_energy_at(at_end) - forces.weight * springback;
     let is_even = !is_captured && forces.is_lossless(ground, &unloading);
     let speed = if is_even { q } else { speed_at_energy(energy.max(0.0)) };
-    let run = motion::integrate(ground, q, forces, &mut Rk8::new(tolerance), &mut TraceRecorder::default())?;
+    let run = motion::integrate(ground, q, forces, &mut Rk8::new(tolerance), None)?;
     Ok(ScaledResult {
         unloading,
         restitution: if is_captured { 0.0 } else { speed / q },

@@ -7,8 +7,10 @@
 
 mod gravity;
 
+use std::sync::OnceLock;
+
 use super::outcome::{ImpactEnd, ScaledResult};
-use crate::contact::law::{Surface, Unloading};
+use crate::contact::law::{Surface, Unloading, UnloadingRule};
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::{FORCE_FACTOR, SQRT_FORCE_FACTOR, kinetic_energy, speed_at_energy};
 use crate::numerics::curve::piece::{Piece, Shape};
@@ -28,11 +30,15 @@ pub fn solve_conservative<'a>(
     forces: &ScaledForces,
     tolerance: f64,
 ) -> Result<Option<ScaledResult>, IntegrationError> {
+    // in units of peak and speed all elastic impacts without gravity are equal
+    static ELASTIC: OnceLock<ScaledResult> = OnceLock::new();
     let ground = ground.into();
+    let is_elastic = matches!(ground.law.unloading_rule, UnloadingRule::Hertz) && q == 1.0;
     match () {
-        () if forces.is_none() => Ok(Some(solve(ground, q))),
-        () if forces.is_conservative() => gravity::solve(ground, q, forces, tolerance).map(Some),
-        () => Ok(None),
+        () if !forces.is_conservative() => Ok(None),
+        () if forces.weight != 0.0 => gravity::solve(ground, q, forces, tolerance).map(Some),
+        () if is_elastic && ground.reloading_branch().is_none() => Ok(Some(*ELASTIC.get_or_init(|| solve(ground, q)))),
+        () => Ok(Some(solve(ground, q))),
     }
 }
 

@@ -24,14 +24,7 @@ fn sphere_released_at_rest_falls_at_any_tolerance() {
             for tolerance in (30..120).map(|tenths| 10_f64.powf(-0.1 * f64::from(tenths))) {
                 for share in [0.0, 1e-8, 1e-3] {
                     let speed = share * (weight * deepest).sqrt();
-                    let outcome = motion::integrate(
-                        ground,
-                        speed,
-                        &forces,
-                        &mut Rk8::new(tolerance),
-                        &mut TraceRecorder::default(),
-                    )
-                    .unwrap();
+                    let outcome = motion::integrate(ground, speed, &forces, &mut Rk8::new(tolerance), None).unwrap();
                     let exact = exact_solutions::solve(ground, speed, &forces);
                     let (got, want) = (outcome.unloading.peak.elastic_approach, exact.unloading.peak.elastic_approach);
                     let at = format!("n = {n}, w = {weight}, {share} at {tolerance:e}");

@@ -111,7 +111,7 @@ fn undamped_step_limit_does_not_advise_less_damping() {
     let law = Scene::steel().law();
     let run = |weight: f64, drag| {
         let forces = ScaledForces { weight, damping: drag };
-        motion::integrate(&law, 3.0, &forces, &mut Rk8::new(1e-40), &mut TraceRecorder::default()).unwrap_err()
+        motion::integrate(&law, 3.0, &forces, &mut Rk8::new(1e-40), None).unwrap_err()
     };
     let is_of_steps = |error: &IntegrationError| {
         matches!(error, IntegrationError::StepUnderflow { .. } | IntegrationError::TooManySteps { .. })

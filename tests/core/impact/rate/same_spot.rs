@@ -142,7 +142,7 @@ fn peak_without_residual_indentation_is_no_dent() {
 #[test]
 fn stiffness_and_energy_of_relaxed_dent_follow_force() {
     let rated = ["half_space.rate.johnson_cook.c=0.03", "law.plm.unloading_exponent=pressure-shape"];
-    let contact = contact(crate::common::STEEL, &rated).at_speed(3.0).unwrap();
+    let contact = contact(crate::common::STEEL, &rated).at_speed(3.0).unwrap().into_owned();
     let (deepest, n) = (30e-6, 20_000_u32);
     let mut memory = Memory::default();
     contact.force(deepest, &mut memory);
