@@ -100,6 +100,31 @@ fn coefficients_that_break_a_rule_are_refused() {
     }
 }
 
+/// The rules of the tables that an older file of coefficients does not have.
+#[test]
+fn coefficients_outside_their_range_are_refused() {
+    type Change = fn(&mut PlmCoefficients);
+    let changes: [(&str, Change); 10] = [
+        ("poisson", |table| table.poisson.as_mut().unwrap().force = -0.1),
+        ("poisson", |table| table.poisson.as_mut().unwrap().approach = f64::NAN),
+        ("depth", |table| table.depth.as_mut().unwrap().recovery = -0.1),
+        ("depth.to", |table| table.depth.as_mut().unwrap().to = table.depth.unwrap().from),
+        ("depth.to", |table| table.depth.as_mut().unwrap().to = f64::INFINITY),
+        ("depth.recovery_kappa", |table| table.depth.as_mut().unwrap().recovery_kappa = 1.1),
+        ("validity", |table| table.validity.perfectly_plastic = 0.0),
+        ("validity", |table| table.validity.hardening = 1.1),
+        ("validity", |table| table.validity.yielding_sphere = f64::NAN),
+        ("validity", |table| table.validity.both_yield = -0.1),
+    ];
+    for (key, change) in changes {
+        let mut table = PlmCoefficients::built_in().clone();
+        change(&mut table);
+        let error = table.check().unwrap_err();
+        assert!(matches!(error, CoefficientsError::Value { key: named, .. } if named == key), "{key}: {error}");
+    }
+    assert!(PlmCoefficients::built_in().check().is_ok());
+}
+
 /// Each reason has its own advice. Times without a unit are of no use to anyone.
 #[test]
 fn run_without_end_names_reason() {

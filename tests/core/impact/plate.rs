@@ -113,6 +113,12 @@ fn plate_energy_equals_work_of_the_force() {
             let (energy, moved) = energy_from_trace(&bodies, &impact);
             assert!(relative_error(plate.energy, energy) < 1e-4, "{gravity:?}: {} {energy}", plate.energy);
             assert!(relative_error(plate.displacement, moved) < 1e-4, "{gravity:?}: {} {moved}", plate.displacement);
+            // the kinetic energy and the work of the weight are in the ball, the dent and the plate
+            let forces = impact.forces_result.unwrap();
+            let put_in = impact.row.kinetic_in + forces.gravity_work.unwrap_or(0.0);
+            let in_ball = forces.remaining_energy.unwrap_or(impact.energy.recovered);
+            let found = in_ball + impact.energy.plastic.unwrap_or(0.0) + plate.energy;
+            assert!(relative_error(found, put_in) < 1e-9, "{gravity:?}: {found} {put_in}");
             for row in &impact.trace {
                 let sphere = row.speed + bodies.mobility() * row.force;
                 assert!((row.sphere_speed.unwrap() - sphere).abs() < 1e-12 * speed, "{row:?}");

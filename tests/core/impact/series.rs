@@ -265,3 +265,13 @@ fn flight_from_dent_loses_its_depth() {
     assert_eq!(Flight::from_rebound(FreeFlight::in_vacuum(10.0), 0.0, 1.0, 20_f64.sqrt() * (1.0 - 1e-15), 0.0), None);
     assert_eq!(Flight::from_rebound(FreeFlight::in_vacuum(10.0), 0.0, 1.0, 0.1, 1.0).unwrap().landing_speed, 0.1);
 }
+
+/// A series has at most 200 000 rows of traces: a contact with 30 000 rows of loading and as many of unloading is traced three times.
+#[test]
+fn only_first_contacts_of_long_series_are_traced() {
+    let contact = contact(Scene::steel(), None);
+    for (samples, traced) in [(30_000, 3), (150_000, 1), (2, 4)] {
+        let series = bouncing(SpotMode::Same, 1.0, 4, None).run(&contact, &auto(), samples, None).unwrap();
+        assert_eq!((series.impacts.len(), series.traced_impacts().len()), (4, traced), "{samples}");
+    }
+}

@@ -38,6 +38,16 @@ fn measurements_stand_beside_the_law() {
     assert_eq!(desk.files("o"), ["fit_restitution.svg", "residuals.csv", "residuals.svg", "summary.json"]);
 }
 
+/// A model error alone is the standard deviation of every value, as a share of what the law gives.
+#[test]
+fn model_error_alone_is_share_of_law() {
+    let text = leeb().replace("free = {}", "free = {}\nnoise = { model = 0.05 }");
+    let (desk, summary) = run_calibration(&text, "speed_m_per_s,restitution\n2,0.54\n1.0,0.6\n0.5,0.7\n", &[], 0);
+    let law = numbers(&desk.read("o/residuals.csv"), "predicted");
+    let square = |(law, measured): (&f64, f64)| ((measured - law) / (0.05 * law)).powi(2);
+    assert_close(&summary["chi_square"], law.iter().zip([0.54, 0.6, 0.7]).map(square).sum(), 1e-12);
+}
+
 /// Keys may change from line to line, also those of a plate.
 #[test]
 fn the_thickness_of_a_plate_is_a_column() {

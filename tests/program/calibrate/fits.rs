@@ -207,7 +207,47 @@ fn law_behind_data_is_ranked_first() {
     assert_close(&laws[0]["values"][0], 345e6, 1e-6);
     let distances = laws.iter().map(|law| law["delta_aic"].as_f64().unwrap_or(f64::INFINITY));
     assert!(distances.is_sorted() && laws.len() > 9);
+    // the distance to the smallest AIC, after Burnham and Anderson (2002)
+    let aic = |law: &Value| law["aic"].as_f64();
+    let smallest = aic(&laws[0]).unwrap();
+    for (law, aic) in laws.iter().filter_map(|law| Some((law, aic(law)?))) {
+        assert_eq!(law["delta_aic"].as_f64(), Some(aic - smallest), "{law}");
+    }
     assert!(desk.path("o/laws.svg").exists());
+}
+
+/// Least squares do not depend on the scale of the standard deviations: if the noise is estimated, the given deviations are weights.
+#[test]
+fn estimated_noise_keeps_given_weights() {
+    let with_sds = |sds: [f64; 4]| {
+        let values = [(0.5, 0.75), (1.0, 0.66), (2.0, 0.55), (4.0, 0.45)];
+        let lines = values.iter().zip(sds).map(|((speed, e), sd)| format!("{speed},{e},{sd}\n"));
+        format!("speed_m_per_s,restitution,restitution_sd\n{}", lines.collect::<String>())
+    };
+    let estimate = |noise: &str, data: &str| {
+        let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}{noise}"));
+        run_calibration(&text, data, &[], 0).1["keys"][0]["estimate"].as_f64().unwrap()
+    };
+    let given = estimate("", &with_sds([0.1, 0.3, 0.1, 0.5]));
+    let scaled = estimate("noise = \"estimate\"\n", &with_sds([0.01, 0.03, 0.01, 0.05]));
+    assert!((scaled / given - 1.0).abs() < 1e-6, "{scaled} {given}");
+    let equal = estimate("noise = \"estimate\"\n", &with_sds([0.01; 4]));
+    assert!((equal / given - 1.0).abs() > 1e-2, "{equal} {given}");
+}
+
+/// Rebounds determine one product of powers of strength and modulus, and nothing beside it. So this product is known as well as the
+/// strength alone, if the modulus is given.
+#[test]
+fn product_of_two_keys_is_known_like_one() {
+    let data =
+        restitution_over_speed("[sweep]\n\"impact.speed\" = { logspace = [\"0.5 m/s\", \"5 m/s\"], points = 12 }\n");
+    let known = |free: &str| {
+        let text = scenario(&format!("data = \"d.csv\"\n{free}noise = {{ restitution = 0.01 }}"));
+        let summary = run_calibration(&text, &data, &[], 0).1;
+        summary["identifiability"]["relative_sd_of_that"].as_f64().unwrap()
+    };
+    let (product, alone) = (known(BOTH), known(STRENGTH));
+    assert!((product / alone - 1.0).abs() < 1e-3, "{product} {alone}");
 }
 
 /// A ball that yields on a hard wall: its own strength is found from its rebounds.

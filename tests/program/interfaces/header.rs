@@ -215,3 +215,12 @@ fn header_names_its_origin_and_range() {
     }
     assert!(!text.contains('{') || !text.contains("{name}"), "a place of the template is left");
 }
+
+/// A contact whose metal does not relax pays for no field and no line of the relaxation.
+#[test]
+fn only_header_with_rate_relaxes() {
+    for (name, set) in PAIRS {
+        let text = header(name, set).read(&format!("plm_{name}.h"));
+        assert_eq!(text.contains("relaxes") || text.contains("branch_peak"), name == "rate", "{name}");
+    }
+}

@@ -139,5 +139,8 @@ fn plate_keeps_momentum_at_relaxation() {
         let steps = Solver { method: Method::Verlet, steps_per_contact: 4000, ..Solver::default() };
         let fixed = contact.impact(3.0, &steps, None).unwrap();
         assert!((fixed.row.restitution - restitution).abs() < 1e-4, "{}", fixed.row.restitution);
+        let lost = |impact: &Impact| impact.row.waveguide_loss_fraction(WaveguideKind::Plate).unwrap();
+        let stepped = contact.impact(3.0, &solver(Method::Rk8, 1e-11), None).unwrap();
+        assert!((lost(&fixed) - lost(&stepped)).abs() < 1e-3, "{} {}", lost(&fixed), lost(&stepped));
     }
 }

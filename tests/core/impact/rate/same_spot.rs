@@ -159,3 +159,47 @@ fn stiffness_and_energy_of_relaxed_dent_follow_force() {
     assert!(relative_error(contact.stiffness(at, &memory), slope) < 1e-6);
     assert!(force(deepest * (1.0 - 1e-12)) < 0.999 * memory.force, "the metal does not relax");
 }
+
+/// On a plate the momentum of the ball stays where the loading continues behind an old dent: the impulse of the force is the change of
+/// the momentum.
+#[test]
+fn plate_keeps_momentum_behind_old_dent() {
+    let keys = [
+        "half_space.density=7850",
+        "half_space.thickness=3 mm",
+        "half_space.rate.cowper_symonds.rate=6844",
+        "half_space.rate.cowper_symonds.exponent=3.91",
+    ];
+    let contact = contact(crate::common::STEEL, &keys);
+    for slow in [0.1, 1.0] {
+        let mut spot = Spot::new();
+        let mut shot =
+            |speed: f64| contact.impact_on(&mut spot, speed, &solver(Method::Rk8, 1e-11), Some(4001)).unwrap();
+        let (first, again) = (shot(slow), shot(3.0));
+        assert!(again.row.residual_indentation > 1.5 * first.row.residual_indentation);
+        let rows = again.trace.windows(2);
+        let impulse: f64 = rows.map(|two| (two[1].time - two[0].time) * 0.5 * (two[0].force + two[1].force)).sum();
+        let momentum = contact.mass() * (1.0 + again.row.restitution) * 3.0;
+        assert!(relative_error(impulse, momentum) < 1e-6, "{impulse} {momentum}");
+        assert!(again.energy.balance_error < 1e-9, "{}", again.energy.balance_error);
+    }
+}
+
+/// A fast impact in a shallow dent of a slow one follows the branch beyond its old peak, until it meets the loading curve of its own
+/// strength. This curve is Hertz there: K_e d^1.5 = K (x_r + d)^1.5, and K goes with the root of the radius.
+#[test]
+fn old_branch_meets_far_stronger_loading() {
+    let keys = ["half_space.rate.cowper_symonds.rate=40", "half_space.rate.cowper_symonds.exponent=2"];
+    let contact = contact(crate::common::STEEL, &keys);
+    for (slow, fast) in [(0.1, 3.0), (0.2, 10.0)] {
+        let mut spot = Spot::new();
+        let mut shot =
+            |speed: f64| contact.impact_on(&mut spot, speed, &solver(Method::Rk8, 1e-11), Some(20_001)).unwrap();
+        let (first, again) = (shot(slow), shot(fast));
+        let stiffer = (first.unloading_radius / contact.pair().radius).cbrt();
+        let meets = first.row.residual_indentation * stiffer / (stiffer - 1.0);
+        let on_branch = again.trace.iter().filter(|row| row.branch == Branch::Reloading);
+        let got = on_branch.map(|row| row.indentation).fold(0.0, f64::max);
+        assert!(got > 1.1 * first.row.peak_indentation && relative_error(got, meets) < 1e-13, "{slow}: {got} {meets}");
+    }
+}
