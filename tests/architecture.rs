@@ -103,7 +103,7 @@ impl Paths {
             match &token {
                 TokenTree::Ident(name) if path.is_empty() || path.ends_with("::") => path += &name.to_string(),
                 TokenTree::Punct(mark) if mark.as_char() == ':' && !path.is_empty() && !path.ends_with("::") => {
-                    path.push(':')
+                    path.push(':');
                 }
                 _ => {
                     self.used.insert(std::mem::take(&mut path));
@@ -222,14 +222,14 @@ fn folders_use_only_lower_layers() {
         |module: &Module| module.first().and_then(|folder| floors.iter().position(|floor| floor.contains(folder)));
     let mut wrong = Vec::new();
     for (module, used) in GRAPH.iter() {
-        if place(&module).is_none() && !module.is_empty() {
+        if place(module).is_none() && !module.is_empty() {
             wrong.push(format!("{} stands on no floor of src/README.md", module.join("/")));
         }
         for other in used {
             if module.first() == other.first() {
                 continue;
             }
-            if let (Some(here), Some(there)) = (place(&module), place(&other))
+            if let (Some(here), Some(there)) = (place(module), place(other))
                 && there >= here
             {
                 wrong.push(format!("{} uses {}", module.join("/"), other.join("/")));

@@ -257,9 +257,7 @@ fn strains_in_guide_are_those_of_the_first_scenario() {
         format!("{:.1} % at {speed}", 37.0 * (root("peak_indentation_m") - root("yield_indentation_m")))
     };
     let [slow, middle, fast] = ["0.1 m/s", "3 m/s", "10 m/s"].map(strain);
-    let sentence = format!(
-        "For the ball of `steel-on-steel.toml` the largest representative plastic strain is {slow}, {middle} and {fast}."
-    );
+    let sentence = format!("In the half-space of `steel-on-steel.toml` this strain is {slow}, {middle} and {fast}.");
     assert!(guide.replace('\n', " ").contains(&sentence), "{sentence}");
 }
 

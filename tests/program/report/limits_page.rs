@@ -142,7 +142,7 @@ fn other_texts_repeat_limits_of_contact_radius() {
         ("src/contact/law/facts.csv", format!("a/R <= {flat} ({soft} {of_soft})")),
         ("src/registry.md", format!("radius of {flat} R ({soft} R {of_soft}, {ball} R if the sphere yields)")),
         ("scenarios/README.md", format!("| a/R = {ball} ({flat} for a half-space) |")),
-        ("scenarios/README.md", format!("| a/R = {both} (how the deformation divides into dent and flat: 0.11) |")),
+        ("scenarios/README.md", format!("| a/R = {both}; for the separate depths of dent and flat, a/R = 0.11 |")),
         ("scenarios/README.md", format!("Validated up to a/R = {flat}.")),
     ] {
         assert!(read(page).replace('\n', " ").contains(&sentence), "{page} lacks: {sentence}");
