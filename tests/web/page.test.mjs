@@ -159,6 +159,11 @@ test("light and dark have contrast, and a narrow page is not wider than its wind
     assert.ok((await page.value(contrast)) > 4.5, `${width} ${isDark}`);
     assert.ok((await page.value("document.documentElement.scrollWidth")) <= width, `${width}`);
   }
+  // the longest names of results
+  await page.look(360, 900, false);
+  await open(read("ball-on-plate.toml"));
+  await page.until(`${SHOWN}.includes("plate")`);
+  assert.ok((await page.value("document.documentElement.scrollWidth")) <= 360);
 });
 
 test("no request leaves the page, and nothing is complained about", async () => {
