@@ -162,7 +162,7 @@ test("light and dark have contrast, and a narrow page is not wider than its wind
   // the longest names of results
   await page.look(360, 900, false);
   await open(read("ball-on-plate.toml"));
-  await page.until(`${SHOWN}.includes("plate")`);
+  await page.until(`${SHOWN}.includes("restitution without waves")`);
   assert.ok((await page.value("document.documentElement.scrollWidth")) <= 360);
 });
 
