@@ -64,7 +64,7 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
 /// The paths in the code of a file.
 #[derive(Default)]
 struct Paths {
-    /// Those of `use` items with a visibility, from the stem to each leaf.
+    /// The paths of `use` items with a visibility, from the stem to each leaf.
     exported: BTreeSet<String>,
     /// All others, such as `crate::law::Law` or `Law`.
     used: BTreeSet<String>,

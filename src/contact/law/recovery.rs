@@ -1,4 +1,4 @@
-//! What a contact recovers from a point of the loading curve, by any rule: the rule that applies there, unloading branch, elastic
+//! Recovery of a contact from a point of the loading curve, by any rule: the rule that applies there, unloading branch, elastic
 //! approach and contact radius, and whether the law has an answer.
 
 use super::published::MAX_CLIPPING;

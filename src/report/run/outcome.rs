@@ -31,7 +31,7 @@ pub struct Outcome {
     pub warnings: Vec<String>,
     /// Notes for the user on the strength and on the exponent behind the results; the blocks have them too.
     pub notes: Vec<String>,
-    /// What people read.
+    /// The results for people.
     pub blocks: Vec<Block>,
     /// The files for the output directory; empty for a check.
     pub files: Vec<OutputFile>,
@@ -50,7 +50,7 @@ impl Outcome {
         Self { warnings, notes: Vec::new(), blocks, files, contradiction: None, checked: Map::new() }
     }
 
-    /// What the terminal prints.
+    /// The text for the terminal.
     pub fn text(&self) -> String {
         to_text(&self.blocks)
     }

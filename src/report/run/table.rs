@@ -49,7 +49,7 @@ pub fn summarise(
     Ok(Outcome { notes, ..Outcome::from_run(warnings, blocks, files) })
 }
 
-/// What is said of a finished table, with the notes.
+/// The blocks about a finished table, with the notes.
 pub fn table_blocks(plan: &Plan, tally: &Tally, warnings_and_notes: &TableWarnings) -> Vec<Block> {
     result_blocks(plan, tally).into_iter().chain(note_blocks(&warnings_and_notes.notes)).collect()
 }

@@ -1,4 +1,4 @@
-//! What people read of a run, as blocks: the terminal and Python print their text, and the web page shows them as lists and tables.
+//! The results of a run for people, as blocks: the terminal and Python print their text, and the web page shows them as lists and tables.
 
 use serde::Serialize;
 
@@ -14,7 +14,7 @@ pub enum Block {
     Table {
         /// The first row has the names of the columns.
         rows: Vec<Vec<String>>,
-        /// The text aligns so many columns at the left, from the first on, and the others at the right.
+        /// The number of columns, from the first on, that the text aligns at the left. The text aligns the others at the right.
         #[serde(skip)]
         left_columns: usize,
     },

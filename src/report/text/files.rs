@@ -27,7 +27,7 @@ pub fn csv_bytes<T>(columns: &[ResultSpec<T>], rows: impl Iterator<Item = T> + C
     csv_bytes_after(&[], columns, rows.map(|row| (&[][..], row)))
 }
 
-/// The same, where each row begins with the values of these further columns.
+/// A CSV file whose rows begin with the values of these further columns.
 pub(super) fn csv_bytes_after<'a, T>(
     first_names: &[String],
     columns: &[ResultSpec<T>],

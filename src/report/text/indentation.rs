@@ -220,7 +220,7 @@ pub fn check_fields(tested: &[SpecimenResult], inputs: &Inputs) -> Map<String, V
     Map::from_iter([("inputs".to_owned(), inputs.to_json().into()), ("half_spaces".to_owned(), half_spaces)])
 }
 
-/// What `check` says: the inputs, the steps, the contact of every half-space, and the notes.
+/// The blocks of `check`: the inputs, the steps, the contact of every half-space, and the notes.
 pub fn overview(
     scenario: &Scenario,
     scene: &IndentationRequest,

@@ -1,4 +1,4 @@
-//! What a run says: texts of files, and blocks for people. Nothing here opens a file or prints.
+//! Texts about a run: files, and blocks for people. Nothing here opens a file or prints.
 
 pub mod blocks;
 pub mod calibrate;

@@ -1,4 +1,4 @@
-//! What `check` says: every value with its unit, and the numbers that follow from them before anything is run.
+//! The blocks of `check`: every value with its unit, and the numbers that follow from them before anything is run.
 
 use super::blocks::{Block, note_blocks};
 use super::inputs::Inputs;

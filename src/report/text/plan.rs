@@ -1,4 +1,4 @@
-//! What `check` says about a table: how many cases there are, what varies, and which columns the table will have.
+//! The blocks of `check` about a table: how many cases there are, what varies, and which columns the table will have.
 
 use super::blocks::Block;
 use crate::scenario::plan::{Cases, Distribution, Plan, SweepAxis, Variable};

@@ -121,7 +121,7 @@ pub fn result_blocks(series: &SeriesReport, detail: Detail) -> Vec<Block> {
     vec![Block::list(lines), Block::EmptyLine, Block::table(rows, 0)]
 }
 
-/// What `check` says about a series: its keys. The scene of the first impact follows.
+/// The blocks of `check` about a series: its keys. The scene of the first impact follows.
 pub fn check_blocks(repeat: &ImpactSeries) -> Vec<Block> {
     let speed = |speed: &f64| format_result(*speed, Dimension::Speed);
     let mut rows = vec![["repeat.spot", repeat.spot_mode.name()].map(str::to_owned)];

@@ -119,7 +119,7 @@ fn mean_surface(plan: &Plan, tally: &Tally) -> Option<PeenedSurface> {
     Some(PeenedSurface { request, dent_area: dent_area?, shot_mass: shot_mass? })
 }
 
-/// What is said of a finished table.
+/// The blocks about a finished table.
 pub fn result_blocks(plan: &Plan, tally: &Tally) -> Vec<Block> {
     let with_results = tally.rows - tally.failures - tally.outside_law;
     let counts = format!("{} rows: {with_results} with results, {} failed", tally.rows, tally.failures);
