@@ -265,9 +265,11 @@ test("the animation steps, plays and shows where the loop is", async () => {
   await press("ArrowLeft", 37);
   assert.equal(await at(), before);
   assert.equal(await page.value('document.querySelectorAll("#chart-loop .mark").length'), 1);
+  // from the begin, so that the motion has not ended when it is stopped
+  await press("Home", 36);
   await page.click("#play");
-  await page.until(`Number(document.getElementById("moment").value) > ${before + 5}`);
-  await page.click("#play");
+  await page.until('Number(document.getElementById("moment").value) > 5');
+  await page.value('document.getElementById("play").click()');
   const paused = await at();
   await new Promise((later) => setTimeout(later, 300));
   assert.equal(await at(), paused);
