@@ -117,6 +117,8 @@ impl Paths {
             }
         }
         self.used.insert(path);
+        // between two marks there is no name
+        self.used.remove("");
     }
 }
 

@@ -265,7 +265,7 @@ test("the animation steps, plays and shows where the loop is", async () => {
   await press("ArrowLeft", 37);
   assert.equal(await at(), before);
   assert.equal(await page.value('document.querySelectorAll("#chart-loop .mark").length'), 1);
-  // from the begin, so that the motion has not ended when it is stopped
+  // from the start, so that the motion is stopped before its end
   await press("Home", 36);
   await page.click("#play");
   await page.until('Number(document.getElementById("moment").value) > 5');

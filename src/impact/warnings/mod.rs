@@ -52,6 +52,7 @@ pub(crate) fn peak_warnings(ground: Surface, peak: &ContactState) -> impl Iterat
 
 /// The warning for an exponent of unloading that is not the one that was asked for.
 pub(crate) fn exponent_warning(ground: Surface, unloading: &Unloading) -> Option<Warning> {
+    // an old branch had its warning in the impact that made it
     ground.loading_law_at(unloading.peak.indentation)?;
     let ExponentClamp { requested: asked, used, gain } = unloading.exponent_clamp()?;
     let text = format!(

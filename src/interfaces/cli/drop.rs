@@ -93,7 +93,7 @@ pub fn drop(arguments: &DropArguments) -> Result<(), Error> {
     if arguments.json {
         super::output::print_summary(&outcome.files)?;
     } else {
-        super::terminal::print(&OPTIONS.with_options(&outcome.text()))?;
+        super::terminal::print(&OPTIONS.with_options(&outcome.terminal_text()))?;
     }
     arguments.save.as_ref().map_or(Ok(()), |path| write_new_scenario(path, &text, "--save"))
 }

@@ -60,7 +60,7 @@ impl<'a> Request<'a> {
             let outcome = run_whole(&scenario, &RunOptions { command: &command_line(), detail, pictures, progress })?;
             Ok((scenario, outcome))
         })?;
-        let text = outcome.text();
+        let text = outcome.terminal_text();
         let Outcome { warnings, files, contradiction, .. } = outcome;
         output.print_warnings(&scenario, &warnings)?;
         let flaw = contradiction.map(|reason| Error::for_file(ErrorKind::Mismatch, scenario.document.name(), reason));

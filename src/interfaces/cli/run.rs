@@ -104,7 +104,7 @@ pub fn check(arguments: &CheckArguments) -> Result<(), Error> {
     let outcome = plm_impact::report::run::check(&scenario)?;
     super::output::print_warnings(&outcome.warnings);
     if !arguments.json {
-        return super::terminal::print(&outcome.text());
+        return super::terminal::print(&outcome.terminal_text());
     }
     let Outcome { warnings, mut checked, .. } = outcome;
     checked.insert("kind".to_owned(), scenario.kind()?.name().into());

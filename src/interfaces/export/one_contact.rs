@@ -41,7 +41,7 @@ pub(super) fn damping_ratio(e: f64) -> f64 {
     loss / (PI * PI + loss * loss).sqrt()
 }
 
-/// The e of a β below 1.
+/// e of a Hertz contact with the damping β < 1, whose force may pull: the inverse of [`damping_ratio`].
 pub(super) fn restitution_of_ratio(beta: f64) -> f64 {
     exp(-PI * beta / (1.0 - beta * beta).sqrt())
 }
@@ -54,7 +54,6 @@ pub(super) fn damped_hertz_contact(beta: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-
     use super::*;
     use crate::numerics::functions::{asin, cos, sin};
 

@@ -33,7 +33,7 @@ pub fn run(name: &str, text: &str, data: Option<String>, pictures: &str) -> Stri
 #[wasm_bindgen]
 pub fn check(name: &str, text: &str, data: Option<String>) -> String {
     let checked = scenario(name, text, data).and_then(|scenario| crate::report::run::check(&scenario));
-    reply(checked.map(|outcome| json!({ "warnings": outcome.warnings, "text": outcome.text() })))
+    reply(checked.map(|outcome| json!({ "warnings": outcome.warnings, "text": outcome.terminal_text() })))
 }
 
 /// The JSON Schema of a scenario.

@@ -35,8 +35,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     };
     let files = result_files(scenario, &measured, &found, options)?;
     let known = calibration_notes(&found);
-    let mut blocks = report::result_blocks(&found);
-    blocks.extend(note_blocks(&known));
+    let blocks = [report::result_blocks(&found), note_blocks(&known)].concat();
     Ok(Outcome { contradiction, notes: known, ..Outcome::from_run(warnings(&found), blocks, files) })
 }
 

@@ -64,8 +64,7 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let mut results = report::summary_fields(&tested, &warnings);
     put_notes(&mut results, &notes);
     let files = with_summary(files, provenance, results, &inputs)?;
-    let mut blocks = report::result_blocks(&tested);
-    blocks.extend(note_blocks(&notes));
+    let blocks = [report::result_blocks(&tested), note_blocks(&notes)].concat();
     Ok(Outcome { notes, ..Outcome::from_run(warnings, blocks, files) })
 }
 

@@ -1,4 +1,4 @@
-//! From a scenario to its files and to what people read: one way for every kind of scene.
+//! From a scenario to its files and to the results for people: one way for every kind of scene.
 
 mod calibrate;
 pub mod find;
@@ -16,7 +16,7 @@ pub use crate::scenario::no_result_error;
 use crate::scenario::{Kind, Scenario};
 pub use outcome::{Outcome, RunOptions, warning_texts};
 
-/// The outcome of a scenario: with options it has all files, and without options it has what a check says. `None` for a table, which
+/// The outcome of a scenario: with options it has all files, and without options it has the blocks of `check`. `None` for a table, which
 /// is made row after row by [`crate::table::TableJob`].
 pub fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Option<Outcome>, Error> {
     let outcome = match scenario.kind()? {

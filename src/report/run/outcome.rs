@@ -50,8 +50,7 @@ impl Outcome {
         Self { warnings, notes: Vec::new(), blocks, files, contradiction: None, checked: Map::new() }
     }
 
-    /// The text for the terminal.
-    pub fn text(&self) -> String {
+    pub fn terminal_text(&self) -> String {
         to_text(&self.blocks)
     }
 }

@@ -65,7 +65,6 @@ pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<O
     let mut results = report::summary_fields(&series);
     put_notes(&mut results, &notes);
     let files = with_summary(files, provenance, results, &Inputs::new(&input))?;
-    let mut blocks = report::result_blocks(&series, options.detail);
-    blocks.extend(note_blocks(&notes));
+    let blocks = [report::result_blocks(&series, options.detail), note_blocks(&notes)].concat();
     Ok(Outcome { notes, ..Outcome::from_run(warnings, blocks, files) })
 }

@@ -51,7 +51,7 @@ pub fn summarise(
 
 /// The blocks about a finished table, with the notes.
 pub fn table_blocks(plan: &Plan, tally: &Tally, warnings_and_notes: &TableWarnings) -> Vec<Block> {
-    result_blocks(plan, tally).into_iter().chain(note_blocks(&warnings_and_notes.notes)).collect()
+    [result_blocks(plan, tally), note_blocks(&warnings_and_notes.notes)].concat()
 }
 
 /// Warnings and notes on a table, before its rows are computed.

@@ -1,4 +1,4 @@
-//! The results of a run for people, as blocks: the terminal and Python print their text, and the web page shows them as lists and tables.
+//! The results of a run for people, as blocks: terminal and Python print the text of the blocks, and the web page shows lists and tables.
 
 use serde::Serialize;
 
@@ -45,6 +45,6 @@ pub fn to_text(blocks: &[Block]) -> String {
 }
 
 /// Notes below the results, a paragraph each.
-pub fn note_blocks(notes: &[String]) -> impl Iterator<Item = Block> {
-    notes.iter().flat_map(|note| [Block::EmptyLine, Block::Sentence(note.clone())])
+pub fn note_blocks(notes: &[String]) -> Vec<Block> {
+    notes.iter().flat_map(|note| [Block::EmptyLine, Block::Sentence(note.clone())]).collect()
 }

@@ -240,7 +240,7 @@ pub fn overview(
         rows.extend(terminal::label_value_rows(&half_space_results(), one));
         rows.push(overview::yielding_row(&one.pair, one.pair.reachable_yield_point().is_some()));
     }
-    [Block::list(rows)].into_iter().chain(note_blocks(notes)).collect()
+    [vec![Block::list(rows)], note_blocks(notes)].concat()
 }
 
 /// Notes for the user on the strength behind forces and indentations, if a body yields and the scenario does not describe its flow

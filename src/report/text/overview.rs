@@ -45,8 +45,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> Vec<Block
     }
     let softer = contact.pair().reachable_yield_point().map(|point| point.yield_partition.for_softer(Body::ALL));
     let hint = rate_hint(input, contact, softer, speed);
-    let after = note_blocks(notes).chain(note_blocks(hint.as_slice()));
-    [Block::list(rows)].into_iter().chain(after).collect()
+    [vec![Block::list(rows)], note_blocks(notes), note_blocks(hint.as_slice())].concat()
 }
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
@@ -71,8 +70,7 @@ pub fn calibration_overview(measured: &CalibrationTask, calibration: &Calibratio
         let of_it = data.values.iter().filter(|value| value.quantity == quantity);
         range(quantity.name(), quantity.quantity().dimension, of_it.map(|value| value.value).collect());
     }
-    let inputs = [Block::list(rows), Block::EmptyLine];
-    inputs.into_iter().chain(calibrate::result_blocks(calibration)).collect()
+    [vec![Block::list(rows), Block::EmptyLine], calibrate::result_blocks(calibration)].concat()
 }
 
 /// How much higher e is with the rate of strain of the metal that yields, where that is known and not asked for.

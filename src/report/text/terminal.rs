@@ -40,7 +40,7 @@ pub fn impact_blocks(single: &SingleImpact, detail: Detail) -> Vec<Block> {
     lines.extend(result_lines(&results, single, Imprint::new(single.contact.is_spring(), impact.row.imprint_name())));
     put_measured_first(&mut lines);
     mark_doubtful(&mut lines, impact);
-    [Block::list(lines)].into_iter().chain(note_blocks(single.notes)).collect()
+    [vec![Block::list(lines)], note_blocks(single.notes)].concat()
 }
 
 /// Where waves are computed, the restitution with waves is the one that is measured: its line comes first and has the interval, and

@@ -216,25 +216,6 @@ fn law_behind_data_is_ranked_first() {
     assert!(desk.path("o/laws.svg").exists());
 }
 
-/// Least squares do not depend on the scale of the standard deviations: if the noise is estimated, the given deviations are weights.
-#[test]
-fn estimated_noise_keeps_given_weights() {
-    let with_sds = |sds: [f64; 4]| {
-        let values = [(0.5, 0.75), (1.0, 0.66), (2.0, 0.55), (4.0, 0.45)];
-        let lines = values.iter().zip(sds).map(|((speed, e), sd)| format!("{speed},{e},{sd}\n"));
-        format!("speed_m_per_s,restitution,restitution_sd\n{}", lines.collect::<String>())
-    };
-    let estimate = |noise: &str, data: &str| {
-        let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}{noise}"));
-        run_calibration(&text, data, &[], 0).1["keys"][0]["estimate"].as_f64().unwrap()
-    };
-    let given = estimate("", &with_sds([0.1, 0.3, 0.1, 0.5]));
-    let scaled = estimate("noise = \"estimate\"\n", &with_sds([0.01, 0.03, 0.01, 0.05]));
-    assert!((scaled / given - 1.0).abs() < 1e-6, "{scaled} {given}");
-    let equal = estimate("noise = \"estimate\"\n", &with_sds([0.01; 4]));
-    assert!((equal / given - 1.0).abs() > 1e-2, "{equal} {given}");
-}
-
 /// Rebounds determine one product of powers of strength and modulus, and nothing beside it. So this product is known as well as the
 /// strength alone, if the modulus is given.
 #[test]

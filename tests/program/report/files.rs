@@ -135,7 +135,7 @@ fn e_of_oblique_impact_uses_normal_speed() {
 /// The line on the closed form in the table of an impact, and the warnings. The line on energy always says how far the balance is off.
 fn closed_form_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
     let run = outcome(scenario);
-    let text = run.text();
+    let text = run.terminal_text();
     let line = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
     assert!(line("energy").contains(", energy balance error "), "{text}");
     (line("closed form"), run.warnings)

@@ -4,7 +4,7 @@
 use crate::common::prelude::*;
 
 fn printed(text: &str, set: &[impl ToString]) -> String {
-    outcome(&read(text, set)).text()
+    outcome(&read(text, set)).terminal_text()
 }
 
 fn line<'a>(printed: &'a str, name: &str) -> Option<&'a str> {

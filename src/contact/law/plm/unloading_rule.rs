@@ -234,8 +234,8 @@ impl PlmUnloadingRule {
         Recovery { elastic_approach, shape: UnloadingShape::Power(exponent) }
     }
 
-    /// The exponent that is asked for at a peak with this A. That of the shape of the contact pressure is at least 1: a force with a
-    /// smaller exponent would leave the contact with an infinite stiffness.
+    /// The requested exponent at a peak with this A. The exponent by the shape of the contact pressure is at least 1: with a smaller
+    /// exponent the stiffness would be infinite at separation.
     #[inline(always)]
     fn exponent_at(&self, peak: &ContactState, equivalent: impl FnOnce() -> f64) -> f64 {
         match self.exponent {

@@ -41,7 +41,7 @@ pub fn peen(arguments: &PeenArguments) -> Result<(), Error> {
     if arguments.json {
         super::output::print_summary(&outcome.files)?;
     } else {
-        let mut printed = OPTIONS.with_options(&outcome.text());
+        let mut printed = OPTIONS.with_options(&outcome.terminal_text());
         match (&arguments.dents, &arguments.window) {
             (Some(_), _) => printed.push_str(&dents::band_text(arguments, &text)?),
             (None, Some(_)) => {}

@@ -107,7 +107,7 @@ fn check_prints_exactly_the_expected_messages() {
         }
         for row in scene.with_settings(&scene.shown) {
             assert!(!row.words.is_empty(), "{}", row.name);
-            wrong.extend(wrong_words(&row, &checked(&row).text()));
+            wrong.extend(wrong_words(&row, &checked(&row).terminal_text()));
         }
     }
     assert_none_wrong(&wrong);
