@@ -31,6 +31,11 @@ def build(*arguments: str | Path) -> None:
     subprocess.run(command, check=True)
 
 
+def is_installed() -> bool:
+    """Whether the module is in the environment, and not in the sources."""
+    return not Path(plm.__file__).resolve().is_relative_to(ROOT / "src")
+
+
 def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool | None = False, **variables: object) -> str:
     words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
     start = [BIN / "mpiexec", "-n", str(ranks)] if ranks > 1 else []
