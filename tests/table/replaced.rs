@@ -26,11 +26,13 @@ fn pictures_of_other_programs_are_kept() {
         let said = desk.run_expecting(&RUN, 2).1;
         assert!(said.contains("o/history.png: already exists and was not written by this program"), "{said}");
         assert_eq!((fs::read(desk.path("o/history.png")).unwrap(), desk.files("o").len()), (mine, 1));
-        desk.run_expecting(&[&RUN[..], &["--force"]].concat(), 0);
-        // without its summary, as after a kill, a picture of this program is known by its form
-        fs::remove_file(desk.path("o/summary.json")).unwrap();
-        desk.run_expecting(&RUN, 0);
     }
+    let desk = Sandbox::with(STEEL);
+    desk.write("o/history.png", other_png(None));
+    desk.run_expecting(&[&RUN[..], &["--force"]].concat(), 0);
+    // without its summary, as after a kill, a picture of this program is known by its form
+    fs::remove_file(desk.path("o/summary.json")).unwrap();
+    desk.run_expecting(&RUN, 0);
 }
 
 #[test]
