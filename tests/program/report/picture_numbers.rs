@@ -4,7 +4,7 @@
 mod calibration;
 mod kinds;
 mod runs;
-mod validation;
+pub mod validation;
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;

@@ -239,7 +239,7 @@ fn atlas() -> Vec<Shown> {
     ]
 }
 
-pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
+pub(super) static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
     let desk = Sandbox::with("");
     desk.run_expecting(&["validate", "--out", "out", "--pictures", "svg"], 0);
     let shown = [load_cycles(), unloadings(), impacts(), metals(), rebounds(), errors_by_radius(), atlas()]
@@ -248,6 +248,11 @@ pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
         .collect();
     vec![Drawing { desk, shown }]
 });
+
+/// The folder of `validate` with its results in `out`, with pictures as SVG.
+pub fn with_svg() -> &'static Sandbox {
+    &ALL[0].desk
+}
 
 #[test]
 fn validation_pictures_show_rows_and_references() {
