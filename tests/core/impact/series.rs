@@ -55,24 +55,24 @@ fn energy_balance_error(contact: &Contact, sequence: &SeriesResult, place: SpotM
 }
 
 #[test]
-fn elastic_ball_keeps_energy_over_1e5_bounces() {
-    // e = 1 in every impact, so impact N begins at (N − 1)(2 v/g + T); the sum of 10^5 terms has a rounding error of
-    // 1e-12
+fn elastic_ball_keeps_energy_over_1e4_bounces() {
+    // e = 1 in every impact, so impact N begins at (N − 1)(2 v/g + T); the sum of 10^4 terms has a rounding error of
+    // 1e-13
     let contact = contact(elastic(), None);
-    let sequence = bouncing(SpotMode::Same, 1.0, 100_000, None).run(&contact, &auto(), 20, None).unwrap();
-    let (first, last) = (&sequence.impacts[0], &sequence.impacts[99_999]);
-    assert_eq!((sequence.end, sequence.impacts.len()), (SeriesEnd::Impacts, 100_000));
+    let sequence = bouncing(SpotMode::Same, 1.0, 10_000, None).run(&contact, &auto(), 20, None).unwrap();
+    let (first, last) = (&sequence.impacts[0], &sequence.impacts[9_999]);
+    assert_eq!((sequence.end, sequence.impacts.len()), (SeriesEnd::Impacts, 10_000));
     assert!(
-        relative_error(last.impact.row.kinetic_in, first.impact.row.kinetic_in) < 1e-9,
+        relative_error(last.impact.row.kinetic_in, first.impact.row.kinetic_in) < 1e-10,
         "{:e}",
         relative_error(last.impact.row.kinetic_in, first.impact.row.kinetic_in)
     );
     assert_eq!(last.approach.normal, 1.0);
     let period = 2.0 / GRAVITY + first.impact.row.contact_time;
-    assert!(relative_error(last.time.unwrap(), 99_999.0 * period) < 1e-11);
+    assert!(relative_error(last.time.unwrap(), 9_999.0 * period) < 1e-12);
     // there is no end, so no remaining time
     assert_eq!(sequence.remaining_time, None);
-    // the number of rows of the trace is limited
+    // the number of rows of the trace is limited: all impacts would have 400 000
     let rows: usize = sequence.traced_impacts().iter().map(|hit| 2 * hit.impact.trace.len()).sum();
     assert!(rows < 300_000, "{rows}");
 }

@@ -119,5 +119,5 @@ fn single_impact_invariants_hold() {
 
 #[test]
 fn comparison_invariants_hold() {
-    check_invariants(1000, &COMPARISON_INVARIANTS);
+    check_invariants(600, &COMPARISON_INVARIANTS);
 }

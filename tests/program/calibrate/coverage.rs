@@ -121,7 +121,7 @@ fn intervals_cover_truth_at_stated_rate() {
     // 68 %, whether the noise is given or estimated
     let much = SyntheticData { readings: 16, sd: 0.12, ..PLAIN };
     for made in [
-        SyntheticData { sets: 600, ..PLAIN },
+        PLAIN,
         SyntheticData { is_estimated: true, ..PLAIN },
         much,
         SyntheticData { is_estimated: true, ..much },

@@ -76,7 +76,7 @@ fn overdamped_sphere_sinks_to_static_equilibrium() {
 #[test]
 fn a_creep_has_no_false_turning_point() {
     let refused = Cell::new(0);
-    let judged = check_property(200, &any_creep(), |(scene, speed, forces)| {
+    let judged = check_property(100, &any_creep(), |(scene, speed, forces)| {
         let contact = contact_with_forces(&scene, forces);
         let fine = contact.impact(speed, &solver(Method::Rk8, 1e-11), None).unwrap();
         for tolerance in LOOSE {
