@@ -1,5 +1,7 @@
 """The examples run, and a strict type checker accepts them."""
 
+from __future__ import annotations
+
 import inspect
 import json
 import re
@@ -67,10 +69,16 @@ def test_dask_table_matches_undivided_table() -> None:
     assert run(EXAMPLES / "dask_table.py").strip() == "40000 rows, the same as undivided: True"
 
 
-def test_mypy_accepts_the_examples(tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def mypy(tmp_path_factory: pytest.TempPathFactory) -> list[str | Path]:
+    """Arguments of Python. The tests share a cache, as the types of NumPy and pandas take most of the time."""
+    cache = tmp_path_factory.mktemp("mypy")
     # some functions of Dask have no type annotations
-    strict = ["-m", "mypy", "--strict", "--allow-untyped-calls", "--ignore-missing-imports", "--cache-dir", tmp_path]
-    run(*strict, *EXAMPLES.glob("*.py"), cwd=tmp_path)
+    return ["-m", "mypy", "--strict", "--allow-untyped-calls", "--ignore-missing-imports", "--cache-dir", cache]
+
+
+def test_mypy_accepts_the_examples(mypy: list[str | Path], tmp_path: Path) -> None:
+    run(*mypy, *EXAMPLES.glob("*.py"), cwd=tmp_path)
 
 
 def test_the_types_are_those_of_the_module(tmp_path: Path) -> None:
@@ -78,17 +86,12 @@ def test_the_types_are_those_of_the_module(tmp_path: Path) -> None:
     assert str(inspect.signature(plm.Contact)) == "(*, sphere, half_space, **tables)"
 
 
-def test_mypy_rejects_misspelt_and_assigned_results(tmp_path: Path) -> None:
+def test_mypy_rejects_misspelt_and_assigned_results(mypy: list[str | Path], tmp_path: Path) -> None:
     program = tmp_path / "wrong.py"
     lines = ["import plm_impact as plm", "def show(impact: plm.Impact, table: plm.Table) -> None:"]
     lines += ["    print(impact.peak_force_N, impact.energy, impact.restitution)", "    print(impact.peak_forse_N)"]
     lines += ["    impact.restitution = 1.0", "    impact.peak_force_N = 1.0", "    table.shape = (1,)"]
     program.write_text("\n".join(lines) + "\n")
-    done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", tmp_path, program],
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-    )
+    done = subprocess.run([sys.executable, *mypy, program], capture_output=True, text=True, cwd=tmp_path)
     places = sorted({int(number) for number in re.findall(r"^wrong.py:(\d+): error", done.stdout, re.M)})
     assert places == [4, 5, 6, 7], done.stdout
