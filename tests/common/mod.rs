@@ -136,6 +136,9 @@ pub fn run<'a>(
     run.map(|computed| (computed.outcome, computed.stats))
 }
 
+/// Contact time of a Hertz impact times v/δ_max: (4/5) B(2/5, 1/2).
+pub const HERTZ_CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
+
 /// |got/want − 1|.
 pub fn relative_error(got: f64, want: f64) -> f64 {
     (got / want - 1.0).abs()

@@ -2,9 +2,6 @@
 
 use crate::common::prelude::*;
 
-/// Contact time of a Hertz impact times v/δ_max: (4/5) B(2/5, 1/2).
-const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
-
 /// An elastic half-space: without a yield strength, or with one that is not reached.
 fn any_elastic_impact() -> impl Strategy<Value = (Scene, f64)> {
     let bodies = (scenes(6.0..13.0, -0.9..0.49, -9.0..1.0, -2.1..-2.0), 2.0..4.3_f64);
@@ -37,8 +34,8 @@ proptest! {
                 relative_error(impact.rebound_speed, v),
                 relative_error(impact.row.peak_indentation, indentation),
                 relative_error(impact.row.peak_force, force),
-                relative_error(impact.row.contact_time, CONTACT_TIME * indentation / v),
-                relative_error(impact.loading_time, 0.5 * CONTACT_TIME * indentation / v),
+                relative_error(impact.row.contact_time, HERTZ_CONTACT_TIME * indentation / v),
+                relative_error(impact.loading_time, 0.5 * HERTZ_CONTACT_TIME * indentation / v),
                 relative_error(impact.energy.kinetic_in, 0.4 * force * indentation),
                 relative_error(impact.energy.recovered, 0.5 * m * v * v),
                 relative_error(impact.row.peak_contact_radius, (scene.radius * indentation).sqrt()),

@@ -3,9 +3,6 @@
 
 use crate::common::prelude::*;
 
-/// Contact time of a Hertz impact times v/δ_max: (4/5) B(2/5, 1/2).
-const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
-
 const NUMBERS_OF_STEPS: [u32; 6] = [50, 77, 100, 333, 1000, 3000];
 
 const NO_OVERRIDES: Forces = Forces { gravity: None, damping: None, waveguide: None, flight: None };
@@ -30,7 +27,7 @@ fn every_force() -> [Forces; 5] {
 fn hertz_times_have_second_order_error() {
     let elastic = Scene { yield_strength: None, ..Scene::steel() };
     let exact = elastic.impact(0.5, Method::ClosedForm, 1e-10, None);
-    let contact_time = CONTACT_TIME * exact.row.peak_indentation / 0.5;
+    let contact_time = HERTZ_CONTACT_TIME * exact.row.peak_indentation / 0.5;
     for steps in NUMBERS_OF_STEPS {
         let impact = by_steps(&elastic, NO_OVERRIDES, steps);
         // for an oscillator of period 2 T, the contact time is too short by (π/n)²/24 = 0.41/n² of T

@@ -83,7 +83,7 @@ fn weakly_damped_hertz_contact_separates_at_zero_force() {
             ..ScaledForces::NONE
         };
         let distance = (2.0 * zeta * 1.875_f64.sqrt() / 1.25).powf(0.8);
-        let want = 2.943_275_184_324_704_7 - distance;
+        let want = HERTZ_CONTACT_TIME - distance;
         for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13] {
             let outcome = motion::integrate(&law, 1.0, &forces, &mut DampedStepper::new(tolerance), None).unwrap();
             let miss = (outcome.contact_time / want - 1.0).abs();
