@@ -30,6 +30,34 @@ enum Form {
 
 use Form::{Area, Line, Marks, Through};
 
+/// The files that a run wrote, by name. Their folder is gone.
+pub struct Results(BTreeMap<String, String>);
+
+impl Results {
+    /// The files of the folder `out`, all of which are text.
+    fn of(desk: &Sandbox) -> Self {
+        let read = |name: String| (name.clone(), desk.read(&format!("out/{name}")));
+        Self(desk.files("out").into_iter().map(read).collect())
+    }
+
+    pub fn read(&self, name: &str) -> &str {
+        self.0.get(name).unwrap_or_else(|| panic!("{name}"))
+    }
+
+    fn picture(&self, name: &str) -> SvgPicture {
+        SvgPicture(self.read(&format!("{name}.svg")).to_owned())
+    }
+
+    fn summary(&self) -> Value {
+        serde_json::from_str(self.read("summary.json")).unwrap()
+    }
+
+    /// The names of the pictures.
+    fn pictures(&self) -> impl Iterator<Item = &str> {
+        self.0.keys().filter_map(|name| name.strip_suffix(".svg"))
+    }
+}
+
 /// The content of one box of a picture.
 struct Shown {
     /// File and function that make the picture.
@@ -37,13 +65,13 @@ struct Shown {
     picture: &'static str,
     panel: usize,
     form: Form,
-    /// The places of the rows, from the folder of the run, in SI units.
-    rows: Box<dyn Fn(&Sandbox) -> Points + Send + Sync>,
+    /// The places of the rows, from the results of the run, in SI units.
+    rows: Box<dyn Fn(&Results) -> Points + Send + Sync>,
 }
 
 /// A run, and what its pictures show.
 struct Drawing {
-    desk: Sandbox,
+    results: Results,
     shown: Vec<Shown>,
 }
 
@@ -52,15 +80,15 @@ fn shown(
     picture: &'static str,
     panel: usize,
     form: Form,
-    rows: impl Fn(&Sandbox) -> Points + Send + Sync + 'static,
+    rows: impl Fn(&Results) -> Points + Send + Sync + 'static,
 ) -> Shown {
     Shown { kind, picture, panel, form, rows: Box::new(rows) }
 }
 
 /// The rows of a table of a run, or of a reference, that have these words in these columns.
-fn table(desk: &Sandbox, name: &str, only: &[(&str, &str)]) -> Vec<TableRow> {
+fn table(results: &Results, name: &str, only: &[(&str, &str)]) -> Vec<TableRow> {
     let reference = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("src/reference/{name}.csv"));
-    let text = fs::read_to_string(reference).unwrap_or_else(|_| desk.read(&format!("out/{name}.csv")));
+    let text = fs::read_to_string(reference).unwrap_or_else(|_| results.read(&format!("{name}.csv")).to_owned());
     let mut rows = records::<TableRow>(&text);
     rows.retain(|row| only.iter().all(|(column, word)| row[*column] == *word));
     rows
@@ -77,8 +105,8 @@ fn columns(
     name: &'static str,
     only: &'static [(&'static str, &'static str)],
     [x, y]: [&'static str; 2],
-) -> impl Fn(&Sandbox) -> Points + Send + Sync {
-    move |desk| table(desk, name, only).iter().map(|row| (cell(row, x), cell(row, y))).collect()
+) -> impl Fn(&Results) -> Points + Send + Sync {
+    move |results| table(results, name, only).iter().map(|row| (cell(row, x), cell(row, y))).collect()
 }
 
 /// How far a place is from a line through places.
@@ -98,13 +126,13 @@ fn nearest((x, y): (f64, f64), marks: &[(f64, f64)]) -> f64 {
 }
 
 /// The mistake in the content of a picture.
-fn fault(desk: &Sandbox, Shown { picture, panel, form, rows, .. }: &Shown) -> Option<String> {
-    let drawn = SvgPicture(desk.read(&format!("out/{picture}.svg")));
+fn fault(results: &Results, Shown { picture, panel, form, rows, .. }: &Shown) -> Option<String> {
+    let drawn = results.picture(picture);
     let (scales, panel) = (drawn.scales(*panel), *panel);
     // what lies beyond the axes is not drawn
     let is_in = drawn.is_in(panel);
     let seen = |points: Points| points.into_iter().filter(|at| is_in(*at)).collect::<Points>();
-    let rows = seen(rows(desk).into_iter().map(|(x, y)| (scales[0].place(x), scales[1].place(y))).collect());
+    let rows = seen(rows(results).into_iter().map(|(x, y)| (scales[0].place(x), scales[1].place(y))).collect());
     let far = |points: &Points, from: &dyn Fn((f64, f64)) -> f64| points.iter().map(|at| from(*at)).fold(0.0, nan_max);
     let (drawn, off) = match *form {
         Line(color) | Through(color) => {
@@ -131,11 +159,12 @@ fn drawing(scenario: impl AsRef<[u8]>, shown: Vec<Shown>) -> Drawing {
     let desk = Sandbox::with(scenario);
     desk.write("d.csv", calibration::DATA);
     desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
-    Drawing { desk, shown }
+    Drawing { results: Results::of(&desk), shown }
 }
 
 fn check(drawings: &[Drawing]) {
-    let faults = drawings.iter().flat_map(|Drawing { desk, shown }| shown.iter().filter_map(|one| fault(desk, one)));
+    let faults =
+        drawings.iter().flat_map(|Drawing { results, shown }| shown.iter().filter_map(|one| fault(results, one)));
     let faults: Vec<String> = faults.collect();
     assert!(faults.is_empty(), "{faults:#?}");
 }

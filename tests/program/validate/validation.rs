@@ -165,11 +165,11 @@ fn another_law_stands_beside_the_built_in_one() {
 /// The page links to no picture that is not there, also in the other format.
 #[test]
 fn the_page_shows_the_pictures_of_the_format() {
-    let desk = with_svg();
-    let page = desk.read("out/README.md");
+    let written = with_svg();
+    let page = written.read("README.md");
     let shown: Vec<&str> = page.split("![").skip(1).filter_map(|rest| rest.split(['(', ')']).nth(1)).collect();
     assert_eq!(shown.len(), 10, "{shown:?}");
-    assert!(shown.iter().all(|name| Document::parse(&desk.read(&format!("out/{name}"))).is_ok()), "{shown:?}");
+    assert!(shown.iter().all(|name| Document::parse(written.read(name)).is_ok()), "{shown:?}");
 }
 
 #[test]

@@ -20,11 +20,11 @@ fn calibration() -> Drawing {
     let of =
         |kind, picture, form, only, column| shown(kind, picture, 0, form, columns("residuals", only, [SPEED, column]));
     let (e, force) = (&[("quantity", "restitution")], &[("quantity", "peak_force")]);
-    let bars = |desk: &Sandbox| -> Points {
+    let bars = |results: &Results| -> Points {
         let ends = |row: TableRow| {
             [-1.0, 1.0].map(|side| (cell(&row, SPEED), cell(&row, "measured") + side * cell(&row, "sd")))
         };
-        table(desk, "residuals", &[("quantity", "restitution")]).into_iter().flat_map(ends).collect()
+        table(results, "residuals", &[("quantity", "restitution")]).into_iter().flat_map(ends).collect()
     };
     let (fitted, residuals, laws) = ("calibrate::fit_chart", "calibrate::residual_chart", "calibrate::law_chart");
     drawing(
@@ -39,8 +39,8 @@ fn calibration() -> Drawing {
             of(residuals, "residuals", Marks(VERMILLION), force, "residual_over_sd"),
             of(laws, "laws", Marks(BLACK), e, "measured"),
             of(laws, "laws", Through(BLUE), e, "predicted"),
-            shown(laws, "laws", 0, Through(VERMILLION), |desk| {
-                let keys = &desk.summary()["laws"][1];
+            shown(laws, "laws", 0, Through(VERMILLION), |results| {
+                let keys = &results.summary()["laws"][1];
                 assert_eq!(keys["law"], "thornton");
                 let law = "law=\"thornton\"".to_owned();
                 computed([&keys["values"][0], &keys["values"][1]].map(|value| value.as_f64().unwrap()), &[law])
@@ -81,14 +81,14 @@ pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| vec![calibration()]);
 #[test]
 fn calibration_pictures_show_numbers_of_tables() {
     check(&ALL);
-    regions_end_where_the_sum_of_squares_has_risen_enough(&ALL[0].desk);
+    regions_end_where_the_sum_of_squares_has_risen_enough(&ALL[0].results);
 }
 
 /// At the outline of both regions the sum of squares, computed anew, is above the least one by what two normal keys give.
-fn regions_end_where_the_sum_of_squares_has_risen_enough(desk: &Sandbox) {
-    let drawn = SvgPicture(desk.read("out/posterior.svg"));
+fn regions_end_where_the_sum_of_squares_has_risen_enough(results: &Results) {
+    let drawn = results.picture("posterior");
     let [x, y] = drawn.scales(0);
-    let summary = desk.summary();
+    let summary = results.summary();
     let best = [0, 1].map(|key| summary["keys"][key]["estimate"].as_f64().unwrap());
     let least = sum_of_squares(best);
     assert_relative_eq!(least, summary["chi_square"].as_f64().unwrap(), max_relative = 1e-9);

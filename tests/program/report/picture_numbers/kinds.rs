@@ -39,6 +39,10 @@ fn kinds(folder: &Path) -> BTreeSet<String> {
     kinds
 }
 
+fn drawings() -> impl Iterator<Item = &'static Drawing> {
+    [&runs::ALL, &calibration::ALL, &validation::ALL].into_iter().flat_map(|drawings| drawings.iter())
+}
+
 #[test]
 fn every_kind_of_picture_is_read_back() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -46,11 +50,19 @@ fn every_kind_of_picture_is_read_back() {
         .into_iter()
         .flat_map(|folder| kinds(&root.join(folder)))
         .collect();
-    let drawings = [&runs::ALL, &calibration::ALL, &validation::ALL].into_iter().flat_map(|drawings| drawings.iter());
-    let read: BTreeSet<String> = drawings
+    let read: BTreeSet<String> = drawings()
         .flat_map(|drawing| &drawing.shown)
         .map(|shown| shown.kind.to_owned())
         .chain(READ_ELSEWHERE.into_iter().chain(NOT_READ).map(str::to_owned))
         .collect();
     assert_eq!(made, read);
+}
+
+/// A function that draws by a helper is found by its file.
+#[test]
+fn every_written_picture_is_read_back() {
+    let written: BTreeSet<&str> = drawings().flat_map(|drawing| drawing.results.pictures()).collect();
+    let read: BTreeSet<&str> = drawings().flat_map(|drawing| &drawing.shown).map(|shown| shown.picture).collect();
+    let not_read: Vec<&str> = written.difference(&read).copied().collect();
+    assert_eq!(not_read, ["posterior"]);
 }

@@ -56,8 +56,8 @@ fn impacts() -> Vec<Drawing> {
 
 /// The force of an impact over time and over frequency. The picture of the spectrum ends before the spectrum does.
 fn pulses() -> Vec<Drawing> {
-    let lines = |desk: &Sandbox| -> Points {
-        let mut lines = columns("spectrum", &[], ["frequency_Hz", "force_spectrum_N_s"])(desk);
+    let lines = |results: &Results| -> Points {
+        let mut lines = columns("spectrum", &[], ["frequency_Hz", "force_spectrum_N_s"])(results);
         lines.retain(|(frequency, _)| (1.0..5e5).contains(frequency));
         lines
     };
@@ -96,8 +96,8 @@ fn sweeps() -> Vec<Drawing> {
     };
     let rebounds = "[output]\npicture = [\"rebound_angle_deg\", \"rebound_spin_rad_per_s\"]\n";
     let bar = |at: f64, law: &'static str, color| {
-        shown("sweep::column_chart", "restitution", 0, Area(color), move |desk| {
-            let rows = table(desk, "table", &[("law", law)]);
+        shown("sweep::column_chart", "restitution", 0, Area(color), move |results| {
+            let rows = table(results, "table", &[("law", law)]);
             [at - 0.4, at, at + 0.4].map(|x| (x, cell(&rows[0], "restitution"))).into()
         })
     };
@@ -123,8 +123,8 @@ fn sweeps() -> Vec<Drawing> {
 }
 
 /// The counts of e in 60 even bins from the least to the largest, at the middle of each.
-fn bins(desk: &Sandbox) -> Points {
-    let values = numbers(&desk.read("out/table.csv"), "restitution");
+fn bins(results: &Results) -> Points {
+    let values = numbers(results.read("table.csv"), "restitution");
     let (low, high) = values.iter().fold((1.0_f64, 0.0_f64), |(low, high), e| (low.min(*e), high.max(*e)));
     let edge = |i: u32| low + (high - low) * f64::from(i) / 60.0;
     let count = |i: u32| values.iter().filter(|e| (edge(i)..edge(i + 1)).contains(e) || i == 59 && **e == high).count();
@@ -136,16 +136,16 @@ fn repeats() -> Vec<Drawing> {
     let series = |panel, color, column| {
         shown("series::impacts_chart", "impacts", panel, Line(color), columns("impacts", &[], ["impact", column]))
     };
-    let first_loop = |desk: &Sandbox| -> Points {
-        let mut rows = table(desk, "trace", &[("impact", "1")]);
+    let first_loop = |results: &Results| -> Points {
+        let mut rows = table(results, "trace", &[("impact", "1")]);
         // a dashed line may end with a gap
         rows.retain(|row| cell(row, "force_N") > 20.0);
         rows.iter().map(|row| (-cell(row, "height_m"), cell(row, "force_N"))).collect()
     };
     // at rest on the way up and down: half the time of flight after the rebound, at the height of its energy
     let tops = |along: &'static str| {
-        move |desk: &Sandbox| -> Points {
-            let rows = table(desk, "impacts", &[]);
+        move |results: &Results| -> Points {
+            let rows = table(results, "impacts", &[]);
             let top = |pair: &[TableRow]| {
                 let speed = cell(&pair[0], "rebound_speed_m_per_s");
                 (0.5 * (cell(&pair[0], along) + cell(&pair[1], along)), speed * speed / (2.0 * 9.81))
@@ -153,9 +153,10 @@ fn repeats() -> Vec<Drawing> {
             rows.windows(2).map(top).chain(rows.iter().map(|row| (cell(row, along), 0.0))).collect()
         }
     };
-    let hits = |desk: &Sandbox| table(desk, "impacts", &[]).iter().map(|row| (cell(row, "position_m"), 0.0)).collect();
-    let places = |desk: &Sandbox| {
-        let rows = table(desk, "impacts", &[]);
+    let hits =
+        |results: &Results| table(results, "impacts", &[]).iter().map(|row| (cell(row, "position_m"), 0.0)).collect();
+    let places = |results: &Results| {
+        let rows = table(results, "impacts", &[]);
         rows.iter().map(|row| (cell(row, "position_m"), cell(row, "cross_position_m"))).collect()
     };
     vec![
@@ -231,9 +232,8 @@ fn run_pictures_show_numbers_of_tables() {
 #[test]
 fn map_colours_are_values_of_table() {
     let axes = "\"impact.speed\" = { linspace = [1, 5], points = 9 }\n\"half_space.yield_strength\" = { linspace = [2e8, 6e8], points = 9 }\n";
-    let desk = Sandbox::with(format!("{STEEL}[sweep]\n{axes}"));
-    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
-    let drawn = SvgPicture(desk.read("out/restitution_map.svg"));
+    let Drawing { results, .. } = drawing(format!("{STEEL}[sweep]\n{axes}"), Vec::new());
+    let drawn = results.picture("restitution_map");
     let ([x, y], scale, [left, _, right, _]) = (drawn.scales(0), drawn.upward(1), drawn.boxes()[1]);
     let steps: Vec<([f64; 4], [u8; 3])> =
         drawn.rectangles().into_iter().filter(|(ends, _)| ends[0] > left - 10.0 && ends[2] < right + 10.0).collect();
@@ -244,7 +244,7 @@ fn map_colours_are_values_of_table() {
         let (ends, _) = steps.iter().min_by_key(|(_, step)| off(step)).unwrap();
         scale.value(0.5 * (ends[1] + ends[3]))
     };
-    let rows = table(&desk, "table", &[]);
+    let rows = table(&results, "table", &[]);
     for row in &rows {
         let place = (x.place(cell(row, "impact_speed_m_per_s")), y.place(cell(row, "half_space_yield_strength_Pa")));
         let (e, shown) = (cell(row, "restitution"), value(drawn.fill_at(place)));

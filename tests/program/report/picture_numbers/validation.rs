@@ -14,15 +14,15 @@ fn case(row: &TableRow) -> (&str, f64) {
 }
 
 /// The law of a quantity of the comparisons whose case begins so, each with its case.
-fn of_law(desk: &Sandbox, quantity: &'static str, begin: &str) -> Vec<TableRow> {
-    let mut rows = table(desk, "validation", &[("quantity", quantity)]);
+fn of_law(results: &Results, quantity: &'static str, begin: &str) -> Vec<TableRow> {
+    let mut rows = table(results, "validation", &[("quantity", quantity)]);
     rows.retain(|row| case(row).0.starts_with(begin));
     rows
 }
 
 /// The restitution of the law over the depth of load cycles.
-fn cycles(quantity: &'static str, begin: &'static str) -> impl Fn(&Sandbox) -> Points + Send + Sync {
-    move |desk| of_law(desk, quantity, begin).iter().map(|row| (case(row).1, cell(row, "law"))).collect()
+fn cycles(quantity: &'static str, begin: &'static str) -> impl Fn(&Results) -> Points + Send + Sync {
+    move |results| of_law(results, quantity, begin).iter().map(|row| (case(row).1, cell(row, "law"))).collect()
 }
 
 /// The restitution of the law over another of its results for the same cases.
@@ -30,9 +30,9 @@ fn crossed(
     across: &'static str,
     upward: &'static str,
     begin: &'static str,
-) -> impl Fn(&Sandbox) -> Points + Send + Sync {
-    move |desk| {
-        let [x, y] = [across, upward].map(|quantity| of_law(desk, quantity, begin));
+) -> impl Fn(&Results) -> Points + Send + Sync {
+    move |results| {
+        let [x, y] = [across, upward].map(|quantity| of_law(results, quantity, begin));
         x.iter().zip(&y).map(|(x, y)| (cell(x, "law"), cell(y, "law"))).collect()
     }
 }
@@ -44,8 +44,11 @@ fn load_cycles() -> Vec<Shown> {
     let cases = [("case1", BLUE), ("case2", VERMILLION), ("case3", GREEN), ("case4", PURPLE), ("case5", ORANGE)];
     let deviations = |(panel, quantity): (usize, &'static str)| {
         cases.map(|(name, color)| {
-            shown(off, "error-restitution", panel, Marks(color), move |desk| {
-                of_law(desk, quantity, name).iter().map(|row| (case(row).1, 100.0 * cell(row, "deviation"))).collect()
+            shown(off, "error-restitution", panel, Marks(color), move |results| {
+                of_law(results, quantity, name)
+                    .iter()
+                    .map(|row| (case(row).1, 100.0 * cell(row, "deviation")))
+                    .collect()
             })
         })
     };
@@ -80,12 +83,12 @@ fn errors_by_radius() -> Vec<Shown> {
 }
 
 /// The peak of an unloading of case 3, and with its curve and its dent, in SI units.
-fn unloading(run: &'static str, cycle: &'static str, desk: &Sandbox) -> [Points; 2] {
+fn unloading(run: &'static str, cycle: &'static str, results: &Results) -> [Points; 2] {
     let point = Scene::case_3().contact().pair().yield_point.unwrap();
     let only = [("run", run), ("cycle", cycle)];
-    let peak = &table(desk, "fe_unloading", &only)[0];
+    let peak = &table(results, "fe_unloading", &only)[0];
     let [x, force] = ["x", "f"].map(|column| cell(peak, column));
-    let curve = table(desk, "fe_unloading_curves", &only);
+    let curve = table(results, "fe_unloading_curves", &only);
     let curve = curve.iter().map(|row| (cell(row, "x"), cell(row, "f")));
     let in_si = |(x, f): (f64, f64)| (x * point.indentation, f * point.force);
     let all = curve.chain([(x, force), (x * cell(peak, "residual_share"), 0.0)]);
@@ -94,7 +97,7 @@ fn unloading(run: &'static str, cycle: &'static str, desk: &Sandbox) -> [Points;
 
 fn unloadings() -> Vec<Shown> {
     let of = |(picture, run, cycle): (&'static str, &'static str, &'static str)| {
-        let rows = move |which: usize| move |desk: &Sandbox| unloading(run, cycle, desk)[which].clone();
+        let rows = move |which: usize| move |results: &Results| unloading(run, cycle, results)[which].clone();
         // the law of the paper unloads from the peak of the finite elements
         [(Through(BLUE), 0), (Marks(BLACK), 1)]
             .map(|(form, which)| shown("figure_10::chart", picture, 0, form, rows(which)))
@@ -115,12 +118,12 @@ fn impacts() -> Vec<Shown> {
             (0, GREEN, "half_space_indentation_m"),
         ];
         parts.into_iter().flat_map(move |(panel, color, column)| {
-            let elements = move |desk: &Sandbox| -> Points {
-                let rows = table(desk, "fe_dynamic_curves", &[("case", name)]);
+            let elements = move |results: &Results| -> Points {
+                let rows = table(results, "fe_dynamic_curves", &[("case", name)]);
                 rows.iter().step_by(4).map(|row| (cell(row, column), cell(row, "force_N"))).collect()
             };
             // the scenario of this impact
-            let law = move |_: &Sandbox| -> Points {
+            let law = move |_: &Results| -> Points {
                 let text = format!("scenarios/dynamic-fe-{}.toml", name.to_lowercase());
                 let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(text);
                 let trace =
@@ -167,21 +170,21 @@ fn metals() -> Vec<Shown> {
 
 fn rebounds() -> Vec<Shown> {
     let leeb =
-        |form, rows: fn(&Sandbox) -> Points| shown("pictures::leeb", "measured-leeb-tensile-strength", 0, form, rows);
-    let oblique = |form, rows: Box<dyn Fn(&Sandbox) -> Points + Send + Sync>| {
+        |form, rows: fn(&Results) -> Points| shown("pictures::leeb", "measured-leeb-tensile-strength", 0, form, rows);
+    let oblique = |form, rows: Box<dyn Fn(&Results) -> Points + Send + Sync>| {
         shown("pictures::oblique", "oblique-alumina-on-glass", 0, form, rows)
     };
-    let law = |desk: &Sandbox| -> Points {
-        let rows = table(desk, "validation", &[("quantity", "oblique: tangential restitution")]);
+    let law = |results: &Results| -> Points {
+        let rows = table(results, "validation", &[("quantity", "oblique: tangential restitution")]);
         rows.iter().map(|row| (row["case"].trim_end_matches(" deg").parse().unwrap(), cell(row, "law"))).collect()
     };
     let measured = columns("kharaz", &[("quantity", "tangential_restitution")], ["angle_deg", "value"]);
     vec![
-        leeb(Through(BLUE), |desk| {
+        leeb(Through(BLUE), |results| {
             let end = |row: &TableRow, which: &str| {
                 (1e6 * cell(row, &format!("{which}_tensile_strength_MPa")), cell(row, &format!("{which}_HLD")))
             };
-            let rows = table(desk, "leeb_tensile", &[]);
+            let rows = table(results, "leeb_tensile", &[]);
             rows.iter().flat_map(|row| ["low", "high"].map(|which| end(row, which))).collect()
         }),
         leeb(Through(VERMILLION), |_| {
@@ -205,7 +208,7 @@ fn psi_factor(bodies: [[f64; 2]; 2]) -> f64 {
 /// The measured slips of the atlas, from their files, and a law over the speed.
 fn atlas() -> Vec<Shown> {
     let chart = "question::chart";
-    let glass = |_: &Sandbox| -> Points {
+    let glass = |_: &Results| -> Points {
         let factor = psi_factor([[70e9, 0.22]; 2]) / 0.092;
         let collision = |row: &TableRow| {
             let angle = row["impact.angle"].trim_end_matches(" deg").parse::<f64>().unwrap().to_radians();
@@ -217,25 +220,29 @@ fn atlas() -> Vec<Shown> {
             .map(collision)
             .collect()
     };
-    let alumina = |desk: &Sandbox| -> Points {
+    let alumina = |results: &Results| -> Points {
         let factor = psi_factor([[380e9, 0.23], [70e9, 0.25]]) / 0.092;
         let rebound = |row: &TableRow| {
             let psi = factor * cell(row, "angle_deg").to_radians().tan();
             (psi, psi * (1.0 + 3.5 * (cell(row, "value") - 1.0)))
         };
-        table(desk, "kharaz", &[("quantity", "tangential_restitution")]).iter().map(rebound).collect()
+        table(results, "kharaz", &[("quantity", "tangential_restitution")]).iter().map(rebound).collect()
     };
-    let law = |question: &'static str, color| {
-        let rows = move |desk: &Sandbox| -> Points {
-            let rows = table(desk, "atlas", &[("question", question), ("series", "plm, pressure-shape")]);
+    let law = |question: &'static str, picture, series: &'static str, form| {
+        let rows = move |results: &Results| -> Points {
+            let rows = table(results, "atlas", &[("question", question), ("series", series)]);
             rows.iter().map(|row| (cell(row, "x"), cell(row, "y"))).collect()
         };
-        shown(chart, if question == "dent" { "atlas-dent" } else { "atlas-restitution" }, 0, Through(color), rows)
+        shown(chart, picture, 0, form, rows)
     };
     vec![
-        shown(chart, "atlas-oblique", 0, Marks(BLACK), move |desk| [glass(desk), alumina(desk)].concat()),
-        law("restitution", BLUE),
-        law("dent", BLUE),
+        shown(chart, "atlas-oblique", 0, Marks(BLACK), move |results| [glass(results), alumina(results)].concat()),
+        law("restitution", "atlas-restitution", "plm, pressure-shape", Through(BLUE)),
+        law("dent", "atlas-dent", "plm, pressure-shape", Through(BLUE)),
+        law("contact-time", "atlas-contact-time", "plm, pressure-shape", Through(BLUE)),
+        law("plate", "atlas-plate", "plm, pressure-shape", Through(BLUE)),
+        // each impact has its own rate, so the laws are points; after the thirteenth law the first colours come again
+        law("rate", "atlas-rate", "plm, exponent 3/2, no rate", Marks(PURPLE)),
     ]
 }
 
@@ -246,12 +253,12 @@ pub(super) static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
         .into_iter()
         .flatten()
         .collect();
-    vec![Drawing { desk, shown }]
+    vec![Drawing { results: Results::of(&desk), shown }]
 });
 
-/// The folder of `validate` with its results in `out`, with pictures as SVG.
-pub fn with_svg() -> &'static Sandbox {
-    &ALL[0].desk
+/// The files of `validate` with pictures as SVG.
+pub fn with_svg() -> &'static Results {
+    &ALL[0].results
 }
 
 #[test]
