@@ -72,52 +72,6 @@ fn elastic_drop_warns_of_no_law() {
     assert!(!warned.contains("has no effect") && desk.read("d.toml").contains("[law.plm]"), "{warned}");
 }
 
-/// √(14.18/m) (Γ⁵ R⁴/E*²)^(1/6) with 0.2 J/m²: a steel ball of 0.1 mm on steel sticks below 4.3 mm/s, and one of 10 mm below
-/// 0.09 mm/s (Thornton and Ning 1998).
-#[test]
-fn a_sphere_that_may_stick_is_warned_of() {
-    let desk = Sandbox::with(STEEL);
-    let warned = |diameter: &str, speed: &str| {
-        let [diameter, speed] = [format!("sphere.diameter={diameter}"), format!("impact.speed={speed}")];
-        desk.run_expecting(&["check", "s.toml", "--set", &diameter, "--set", &speed], 0).1
-    };
-    let said = warned("0.1 mm", "25 mm/s");
-    assert!(said.contains("adhesion") && said.contains("sticks below 4.2"), "{said}");
-    assert!(!warned("0.1 mm", "35 mm/s").contains("adhesion"));
-    assert!(!warned("10 mm", "1 mm/s").contains("adhesion"));
-    // with the own work of adhesion, in either unit
-    for work in ["0.05 J/m^2", "50 mN/m", "0.05 N/m", "50 erg/cm^2"] {
-        let with = format!("adhesion.work={work}");
-        let set = ["--set", "sphere.diameter=0.1 mm", "--set", "impact.speed=9 mm/s", "--set", &with];
-        let (_, said) = desk.run_expecting(&[&["check", "s.toml"], &set[..]].concat(), 0);
-        assert!(said.contains("a work of adhesion of 50 mJ/m^2") && said.contains("sticks below 1.3"), "{said}");
-    }
-    // a table says it of its slowest row, and a series of the first bounce that is so slow
-    let [axis, bounces] = [
-        "\n[sweep]\n\"impact.speed\" = [\"25 mm/s\", \"1 m/s\"]\n",
-        "\n[gravity]\nacceleration = 9.81\n[repeat]\nspot = \"fresh\"\nimpacts = 100\nuntil.speed = \"1 mm/s\"\n",
-    ];
-    let small = STEEL.replace("radius = \"5 mm\"", "diameter = \"0.1 mm\"");
-    for (text, begin) in [
-        (small.replace("speed = \"3 m/s\"", "") + axis, "at impact.speed = 25 mm/s: e is too high, because adhesion"),
-        (small.clone() + bounces, "impact "),
-    ] {
-        let (_, said) = Sandbox::with(&text).run_expecting(&["check", "s.toml"], 0);
-        assert!(said.contains(begin) && said.contains("adhesion is not modelled"), "{said}");
-    }
-}
-
-/// A lead ball from 1 m has a contact radius of 0.36 R on hard steel, and the law ends at 0.3 R where the sphere yields.
-#[test]
-fn a_restitution_outside_the_law_is_marked() {
-    let drop = |height: &str| {
-        let ball = ["drop", "--ball", "lead", "--diameter", "10 mm", "--on", "steel-wear-450", "--from", height];
-        Sandbox::with("").run_expecting(&ball, 0).0
-    };
-    assert!(drop("1 m").lines().next().unwrap().contains("(outside the range of validity)"));
-    assert!(!drop("1 cm").contains("(outside the range of validity)"));
-}
-
 #[test]
 fn part_of_name_finds_keys_and_materials() {
     let desk = Sandbox::with("");

@@ -22,19 +22,6 @@ fn several_half_spaces_have_separate_names() {
     assert!(trace.starts_with("half_space,step,indentation_m,") && trace.contains("\nTi-70Nb,2,"), "{}", &trace[..200]);
 }
 
-/// Neither an elastic law nor an elastic half-space leaves a dent, and none is written.
-#[test]
-fn elastic_indentation_leaves_no_dent() {
-    let law = CYCLES.replace("[law.plm]\nunloading_exponent = \"pressure-shape\"", "[law.hertz]");
-    let body = CYCLES.replace("yield_strength = \"630 MPa\"\n", "").replace("{ load = \"10 N\" },", "");
-    for elastic in [law, body] {
-        let summary = Sandbox::with_results(elastic).summary();
-        let half_space = summary["half_spaces"][0].to_string();
-        assert!(!half_space.contains("residual") && !half_space.contains("plastic"), "{half_space}");
-        assert_eq!(summary["provenance"]["law"], "hertz");
-    }
-}
-
 /// The values of an instrument with a diamond tip on fused silica, which stays elastic: 1/E* = (1 − 0.07²)/1141 GPa +
 /// (1 − 0.17²)/72.5 GPa by hand, with the numbers of the two materials; S = 2 E* a; H = F/(π a²).
 #[test]

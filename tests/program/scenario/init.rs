@@ -116,6 +116,9 @@ fn the_usual_tasks_have_their_answers() {
     assert_relative_eq!(number(&oblique, "rebound_angle_deg"), degrees, max_relative = 1e-5);
     let hld = 1e3 * number(&summary("leeb"), "restitution_with_waves");
     assert!((hld / 530.0 - 1.0).abs() < 0.05, "{hld}");
+    // the device of the scenario, which `strength_keys.rs` compares with another program
+    let device = contact(include_str!("../../../scenarios/leeb-d.toml"), NO_OVERRIDES).closed_form(2.0).unwrap();
+    assert_relative_eq!(hld, 1e3 * device.row.restitution_with_waves().unwrap(), max_relative = 1e-9);
     // 31 thicknesses; 3 diameters times 26 speeds
     for (kind, rows) in [("plate", 31), ("peening", 3 * 26)] {
         assert_eq!(summary(kind)["rows"], rows);
