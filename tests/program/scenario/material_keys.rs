@@ -24,11 +24,13 @@ fn value(name: &str, property: Property) -> f64 {
     find(name).unwrap().get(property).unwrap().value.value
 }
 
-/// e of a rigid-plastic half-space, which yields at 3 σ_Y: Johnson, Contact Mechanics (1985), Eq. 11.50.
-fn johnson_restitution(input: &Input, contact: &Contact) -> Option<f64> {
-    let (strength, energy) = (input.half_space().yield_strength?, 0.5 * contact.mass() * input.speed().powi(2));
+/// e where the weaker body is rigid-plastic, which yields at 3 σ_Y: Johnson, Contact Mechanics (1985), Eq. 11.50.
+fn johnson_restitution(input: &Input, contact: &Contact) -> f64 {
+    let strengths = [input.sphere().yield_strength, input.half_space().yield_strength];
+    let strength = strengths.into_iter().flatten().fold(f64::INFINITY, f64::min);
+    let energy = 0.5 * contact.mass() * input.speed().powi(2);
     let ratio = (strength / contact.pair().effective_modulus).sqrt();
-    Some(3.8 * ratio * (energy / (strength * input.sphere().radius.powi(3))).powf(-0.125))
+    3.8 * ratio * (energy / (strength * input.sphere().radius.powi(3))).powf(-0.125)
 }
 
 #[test]
@@ -41,19 +43,20 @@ fn every_material_works_as_ball_and_plate() {
             let restitution = contact.closed_form(scene.speed()).unwrap().row.restitution;
             let yields = find(half_space).unwrap().has_strength();
             assert_eq!(scene.half_space().yield_strength.is_some(), yields, "{half_space}");
-            if !yields {
+            if yields {
+                // Johnson's e is that of a deep dent without hardening, and too high where it comes near 1: e is up to 30 % below it,
+                // and up to a tenth above it. Hardening raises e. Under a light ball steel may stay elastic
+                let ratio = restitution / johnson_restitution(&scene, &contact).min(1.0);
+                let hardens = scene.law().flow_curves().iter().any(Option::is_some);
+                let most = if hardens { f64::INFINITY } else { 1.1 };
+                let largest = if sphere == "alumina-99.5" { 1.0 - f64::EPSILON } else { 1.0 };
+                assert!(
+                    restitution <= largest && ratio > 0.7 && ratio < most,
+                    "{sphere} on {half_space}: e {restitution}, {ratio}"
+                );
+            } else {
                 // plates of brittle materials, of polymers and of a metal without hardness stay elastic
                 assert!(relative_error(restitution, 1.0) < 1e-12, "{sphere} on {half_space}: {restitution}");
-            } else if sphere == "alumina-99.5" {
-                // Johnson's e is that of a deep dent without hardening, and too high where it comes near 1: below the law by up
-                // to a tenth, above it by up to a third. Hardening raises e
-                let ratio = restitution / johnson_restitution(&scene, &contact).unwrap().min(1.0);
-                let hardens = matches!(scene.law(), LawChoice::Plm(plm) if plm.flow[1].is_some());
-                let most = if hardens { f64::INFINITY } else { 1.1 };
-                assert!(restitution < 1.0 && ratio > 0.7 && ratio < most, "{half_space}: e {restitution}, {ratio}");
-            } else {
-                // a soft ball yields, and under a light one steel may stay elastic
-                assert!(restitution > 0.05 && restitution <= 1.0, "{sphere} on {half_space}: {restitution}");
             }
         }
     }
@@ -136,20 +139,6 @@ fn unused_material_values_are_not_applied() {
     assert!(
         matches!(thornton.law(), LawChoice::Thornton(_)) && number_of_key(&thornton, "half_space.hardness").is_some()
     );
-}
-
-#[test]
-fn the_summary_repeats_name_values_and_basis() {
-    let desk = Sandbox::with(pair("steel-52100-hardened", "steel-304-annealed"));
-    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
-    let inputs = &desk.summary()["inputs"];
-    assert_eq!(inputs["half_space_material"], "steel-304-annealed");
-    assert_eq!(inputs["sphere_material"], "steel-52100-hardened");
-    assert_eq!(inputs["half_space_youngs_modulus_Pa"], 193e9);
-    let said = |key: &str| inputs[key].as_str().unwrap_or_default().to_owned();
-    assert!(said("half_space_material_hardness").starts_with("145 HV (129 HV to 160 HV); hardness"), "{inputs}");
-    assert!(said("half_space_material_hardening_exponent").contains("proof stress and hardness"), "{inputs}");
-    assert!(said("sphere_material_density").starts_with("7830 kg/m^3"), "{inputs}");
 }
 
 #[test]
