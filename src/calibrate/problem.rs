@@ -106,10 +106,14 @@ impl<'a> CalibrationProblem<'a> {
         CalibrationProblem::new(&self.input, self.free, data, vec![1.0; data.values.len()], false)
     }
 
-    /// Keeps at most `most` impacts, at even steps through the data. A curve keeps all points.
+    /// Keeps at most `most` impacts: one of each group of consecutive rows, all groups of one size. If the data repeat a pattern, every
+    /// n-th row may be of one kind; so the place in the group changes from group to group, by multiples of 610/987, which is near the
+    /// golden ratio. A curve keeps all points.
     pub fn subsampled(&self, most: usize) -> Self {
-        let step = if self.data.is_curve() { 1 } else { self.data.rows.len().div_ceil(most) };
-        self.clone().with_rows((0..self.data.rows.len()).step_by(step))
+        let rows = self.data.rows.len();
+        let size = if self.data.is_curve() { 1 } else { rows.div_ceil(most) };
+        let row = |group: usize| group * size + (610 * group % 987) * size / 987;
+        self.clone().with_rows((0..rows.div_ceil(size)).map(row).filter(|row| *row < rows))
     }
 
     fn with_rows(mut self, rows: impl Iterator<Item = usize>) -> Self {

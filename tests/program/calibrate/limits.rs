@@ -136,6 +136,32 @@ fn region_of_two_keys_reflects_few_values() {
     assert!(free.len() > 20 && free.iter().all(|rise| (rise / 38.0 - 1.0).abs() < 0.01), "{free:?}");
 }
 
+/// Two materials in turn, at more than 1000 impacts: every second impact is of one of them, but the subsample has both. The order of the
+/// lines does not change the result.
+#[test]
+fn order_of_many_impacts_does_not_hide_a_basin() {
+    let steel = |strength: f64| {
+        crate::common::contact(crate::common::STEEL, &[format!("half_space.yield_strength={strength}")])
+    };
+    let (soft, hard) = (steel(200e6), steel(800e6));
+    let text =
+        scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.005 }}\nrobust = \"student-t\""));
+    let of_order = |order: [&plm_impact::Contact; 2]| {
+        let mut data = "speed_m_per_s,restitution\n".to_owned();
+        for i in 0..600 {
+            let speed = 0.5 * 10_f64.powf(f64::from(i) / 599.0);
+            for contact in order {
+                writeln!(data, "{speed},{}", contact.closed_form(speed).unwrap().row.restitution).unwrap();
+            }
+        }
+        run_calibration(&text, &data, &[], 3).1
+    };
+    let [first, second] = [[&soft, &hard], [&hard, &soft]].map(|order| of_order(order)["keys"][0]["estimate"].clone());
+    // this one of the two basins is deeper
+    assert_close(&first, 200e6, 0.01);
+    assert_close(&second, first.as_f64().unwrap(), 1e-9);
+}
+
 /// A subsample of more than 1000 impacts finds the basins, and all impacts give the value. The minimum of the whole sum is found here by
 /// a search of its own; that of every third impact lies beyond the tolerance.
 #[test]
