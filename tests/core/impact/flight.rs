@@ -84,27 +84,29 @@ fn flights_are_those_of_the_equation_of_motion() {
             -pull - density * coefficient * PI * radius * radius * v * v.abs() / (2.0 * mass)
         };
         let rise = flying.rise_height(take_off);
-        let duration = flying.rise_time(take_off) + 0.7 * flying.fall_time(rise);
-        let end = flying.speed_after(take_off, duration);
-        // the drag of a sphere jumps at Re = 1000, and has no second derivative at rest
-        let jump = 1000.0 * viscosity / (2.0 * radius * density);
-        let between = [jump, 0.0, -jump].into_iter().filter(|v| end < *v && *v < take_off);
-        let speeds: Vec<f64> = [take_off].into_iter().chain(between).chain([end]).collect();
-        let (mut time, mut height) = (0.0, 0.0);
-        for ends in speeds.windows(2) {
-            let step = (ends[1] - ends[0]) / 20_000.0;
-            for i in 0..20_000 {
-                let middle = ends[0] + (f64::from(i) + 0.5) * step;
-                for v in [-1.0, 1.0].map(|side| middle + side * step / 12f64.sqrt()) {
-                    time += 0.5 * step / acceleration(v);
-                    height += 0.5 * step * v / acceleration(v);
+        let [up, down] = [flying.rise_time(take_off), flying.fall_time(rise)];
+        for duration in [0.6 * up, up + 0.7 * down] {
+            let end = flying.speed_after(take_off, duration);
+            // the drag of a sphere jumps at Re = 1000, and has no second derivative at rest
+            let jump = 1000.0 * viscosity / (2.0 * radius * density);
+            let between = [jump, 0.0, -jump].into_iter().filter(|v| end < *v && *v < take_off);
+            let speeds: Vec<f64> = [take_off].into_iter().chain(between).chain([end]).collect();
+            let (mut time, mut height) = (0.0, 0.0);
+            for ends in speeds.windows(2) {
+                let step = (ends[1] - ends[0]) / 20_000.0;
+                for i in 0..20_000 {
+                    let middle = ends[0] + (f64::from(i) + 0.5) * step;
+                    for v in [-1.0, 1.0].map(|side| middle + side * step / 12f64.sqrt()) {
+                        time += 0.5 * step / acceleration(v);
+                        height += 0.5 * step * v / acceleration(v);
+                    }
                 }
             }
+            let tolerance = if drag.is_some() { 1e-12 } else { 1e-9 };
+            assert!((time - duration).abs() < tolerance * duration, "{}: {time} {duration}", row.name());
+            let got = flying.height_at(take_off, end);
+            assert!((got - height).abs() < tolerance * rise, "{}: {got} {height}", row.name());
         }
-        let tolerance = if drag.is_some() { 1e-12 } else { 1e-9 };
-        assert!((time - duration).abs() < tolerance * duration, "{}: {time} {duration}", row.name());
-        let got = flying.height_at(take_off, end);
-        assert!((got - height).abs() < tolerance * rise, "{}: {got} {height}", row.name());
     }
 }
 
@@ -118,6 +120,8 @@ fn limits_of_little_air_and_of_long_falls() {
         assert_relative_eq!(thin.landing_speed(height), free.landing_speed(height), max_relative = 1e-12);
         assert_relative_eq!(thin.fall_time(height), free.fall_time(height), max_relative = 1e-12);
         assert_relative_eq!(thin.rise_height(height), free.rise_height(height), max_relative = 1e-10);
+        // a speed, where it was a height
+        assert_relative_eq!(thin.drop_height(height), free.drop_height(height), max_relative = 1e-10);
     }
     // ten terminal lengths and more: the terminal speed, and the time grows by the height over it
     let thick = FreeFlight::in_air(9.81, &air(1.2), radius, mass);
@@ -132,6 +136,11 @@ fn limits_of_little_air_and_of_long_falls() {
             let longer = flying.fall_time(2.0 * height) - flying.fall_time(height);
             assert_relative_eq!(longer, height / flying.terminal_speed(), max_relative = 1e-7);
         }
+        // a sphere that is a thousand times as fast returns long before a sphere without air has lost a hundredth of its speed
+        let speed = 1e3 * flying.terminal_speed();
+        let time = flying.rise_time(speed) + flying.fall_time(flying.rise_height(speed));
+        assert!(time < 0.01 * speed / 9.81, "{time}");
+        assert_relative_eq!(flying.take_off_speed(time), speed, max_relative = 1e-7);
     }
     // buoyancy alone: the fall is slower by the square root of the rest of the weight
     let light = FreeFlight::in_air(9.81, &Medium { drag: Some(0.0), ..air(100.0) }, radius, mass);
