@@ -100,7 +100,9 @@ fn contact_accepts_its_own_memory_alone() {
         if is_elastic {
             memory = Memory { indentation: 30e-6, force: contact.force(30e-6, &mut memory), elastic_approach: 30e-6 };
         }
-        for (change, is_small) in [(0.0, true), (5e-7, true), (-5e-7, true), (2e-6, false), (-2e-6, false), (-0.9, false)] {
+        for (change, is_small) in
+            [(0.0, true), (5e-7, true), (-5e-7, true), (2e-6, false), (-2e-6, false), (-0.9, false)]
+        {
             let Memory { force, elastic_approach, .. } = memory;
             let of_force = Memory { force: force * (1.0 + change), ..memory };
             let of_approach = Memory { elastic_approach: elastic_approach * (1.0 + change), ..memory };

@@ -138,6 +138,16 @@ fn constant_result_gives_a_part_of_the_range() {
     let printed =
         desk.run_expecting(&["find", "impact.speed", "s.toml", "--restitution", "1", "--from", "1 mm/s"], 0).0;
     assert!(printed.starts_with("impact.speed   every value from 1 mm/s to "), "{printed}");
+    // no dent: the depths are compared with the largest one, and not with a metre
+    let found = solution(&desk, &["impact.speed", "s.toml", "--dent-depth", "0", "--from", "1 mm/s"]);
+    let end = found["impact_speed_m_per_s_interval"][1].as_f64().unwrap();
+    assert!((1.0..1.001).contains(&(end / yield_speed)), "{end} {yield_speed}");
+    // a part that ends with the range: the yield speed is proportional to the strength to the power 5/2
+    let ends = ["--from", "1 GPa", "--to", "10 GPa"];
+    let found = solution(&desk, &[&["half_space.yield_strength", "s.toml", "--restitution", "1"], &ends[..]].concat());
+    let part = &found["half_space_yield_strength_Pa_interval"];
+    let least = 345e6 * (3.0 / yield_speed).powf(0.4);
+    assert!((0.999..1.001).contains(&(part[0].as_f64().unwrap() / least)) && part[1] == 1e10, "{part} {least}");
 }
 
 /// With a density of the half-space, e is the measured one, as on the terminal and in a calibration.
