@@ -131,3 +131,18 @@ fn stiff_damping_warns() {
     };
     assert_eq!([100.0, 1e3].map(says), [false, true]);
 }
+
+/// A tolerance far below rounding cannot be met. Without damping the closed form shows this, and with damping the balance of energy.
+#[test]
+fn impact_far_from_its_tolerance_is_warned_of() {
+    let kinds = |forces: Forces, tolerance: f64| -> Vec<WarningKind> {
+        let contact = contact_with_forces(&Scene::steel(), forces);
+        let impact = contact.impact(3.0, &solver(Method::Dopri5, tolerance), None).unwrap();
+        impact.warnings.iter().map(|warning| warning.kind).collect()
+    };
+    let undamped = Forces::default();
+    for (forces, kind) in [(undamped, WarningKind::Inaccurate), (viscous(0.01), WarningKind::EnergyImbalance)] {
+        assert!(kinds(forces, 1e-20).contains(&kind), "{kind:?}");
+        assert!(!kinds(forces, 1e-10).contains(&kind), "{kind:?}");
+    }
+}
