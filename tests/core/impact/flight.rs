@@ -120,7 +120,7 @@ fn limits_of_little_air_and_of_long_falls() {
         assert_relative_eq!(thin.landing_speed(height), free.landing_speed(height), max_relative = 1e-12);
         assert_relative_eq!(thin.fall_time(height), free.fall_time(height), max_relative = 1e-12);
         assert_relative_eq!(thin.rise_height(height), free.rise_height(height), max_relative = 1e-10);
-        // a speed, where it was a height
+        // here the number is a speed
         assert_relative_eq!(thin.drop_height(height), free.drop_height(height), max_relative = 1e-10);
     }
     // ten terminal lengths and more: the terminal speed, and the time grows by the height over it

@@ -58,7 +58,7 @@ fn every_kind_of_picture_is_read_back() {
     assert_eq!(made, read);
 }
 
-/// A function that draws by a helper is found by its file.
+/// This finds also a picture that is drawn by a helper function.
 #[test]
 fn every_written_picture_is_read_back() {
     let written: BTreeSet<&str> = drawings().flat_map(|drawing| drawing.results.pictures()).collect();
