@@ -237,18 +237,18 @@ fn signals_stop_other_long_work_without_leftovers() {
         assert!(arguments[0] == "bench" || said.lines().count() == 1, "{arguments:?}: {said}");
         assert!(!desk.path("out").exists(), "{arguments:?}");
     };
-    for (name, want) in [("-INT", 130), ("-TERM", 143)] {
+    for (name, number, want) in [("-INT", 2, 130), ("-TERM", 15, 143)] {
         for arguments in [&repeat, &calibrate] {
             // the folder is made when signals are listened to
             let output = output_after_signal(start(&desk, arguments), || desk.path("out/deep").exists(), name);
             is_stopped(output, want, arguments);
         }
-    }
-    // these are short: the signal comes from the process itself, when the folder is made
-    for arguments in [&["validate", "--out", "out/deep"][..], &["bench", "--quick", "--out", "out/deep"]] {
-        let mut command = Command::new(PROGRAM);
-        command.current_dir(desk.path("")).env("PLM_IMPACT_TEST_SIGNAL", "2@1").args(arguments);
-        is_stopped(command.output().unwrap(), 130, arguments);
+        // these are short: the signal comes from the process itself, when the folder is made
+        for arguments in [&["validate", "--out", "out/deep"][..], &["bench", "--quick", "--out", "out/deep"]] {
+            let mut command = Command::new(PROGRAM);
+            command.current_dir(desk.path("")).env("PLM_IMPACT_TEST_SIGNAL", format!("{number}@1")).args(arguments);
+            is_stopped(command.output().unwrap(), want, arguments);
+        }
     }
 }
 
