@@ -134,6 +134,9 @@ fn constant_result_gives_a_part_of_the_range() {
     let ends = found["impact_speed_m_per_s_interval"].as_array().unwrap();
     assert_eq!(ends[0], 0.001);
     let yield_speed = number(&found["results"], "yield_speed_m_per_s");
+    // the value is the middle of the part: the range is logarithmic
+    let middle = number(&found, "impact_speed_m_per_s");
+    assert!(relative_error(middle, (0.001 * yield_speed).sqrt()) < 1e-3 && found["restitution"] == 1.0, "{found}");
     assert!((1.0..1.01).contains(&(ends[1].as_f64().unwrap() / yield_speed)), "{ends:?} {yield_speed}");
     let printed =
         desk.run_expecting(&["find", "impact.speed", "s.toml", "--restitution", "1", "--from", "1 mm/s"], 0).0;
@@ -148,6 +151,20 @@ fn constant_result_gives_a_part_of_the_range() {
     let part = &found["half_space_yield_strength_Pa_interval"];
     let least = 345e6 * (3.0 / yield_speed).powf(0.4);
     assert!((0.999..1.001).contains(&(part[0].as_f64().unwrap() / least)) && part[1] == 1e10, "{part} {least}");
+    let middle = number(&found, "half_space_yield_strength_Pa");
+    assert!(relative_error(middle, (least * 1e10).sqrt()) < 1e-3 && found["restitution"] == 1.0, "{found}");
+    // the whole range
+    let no_dent = ["impact.speed", "s.toml", "--dent-depth", "0", "--from", "1 mm/s", "--to", "2 mm/s"];
+    assert_eq!(solution(&desk, &no_dent)["impact_speed_m_per_s_interval"], json!([0.001, 0.002]));
+}
+
+/// The energy m v^2/2 of 1 g at 3 m/s is 4.5 mJ.
+#[test]
+fn end_of_range_is_single_solution() {
+    let desk = Sandbox::with(STEEL.replace("density = \"7850 kg/m^3\"", "mass = \"4 g\""));
+    let energy = ["find", "sphere.mass", "s.toml", "--energy-kinetic-in", "4.5 mJ", "--from", "1 g", "--to", "10 g"];
+    let printed = desk.run_expecting(&energy, 0).0;
+    assert!(printed.starts_with("sphere.mass   1 g   gives energy.kinetic_in_J = 4.5 mJ"), "{printed}");
 }
 
 /// With a density of the half-space, e is the measured one, as on the terminal and in a calibration.
@@ -172,6 +189,12 @@ fn no_solution_reports_the_range_of_the_result() {
             "(at 1 m/s)",
             "--from and --to",
         ],
+    );
+    // a depth of the dent differs from another by its share, and not by metres: it is 8.271 um at 1 m/s
+    refused(
+        &desk,
+        &["impact.speed", "s.toml", "--dent-depth", "8.22 um", "--from", "1 m/s", "--to", "4 m/s"],
+        &["no impact.speed from 1 m/s to 4 m/s gives residual_indentation_m = 8.22 µm", "is 8.27083 µm (at 1 m/s)"],
     );
     assert_eq!(desk.files("."), ["s.toml"]);
 }
