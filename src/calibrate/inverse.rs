@@ -185,7 +185,8 @@ impl<'a> InverseProblem<'a> {
             Some(Value::Null) => Err(NoResult::Null),
             Some(_) => Err(NoResult::Word),
             None if column.is_some() => Err(NoResult::Null),
-            None => Err(NoResult::Condition(spec.condition)),
+            // the condition of a result of tables alone is that of its column
+            None => Err(NoResult::Condition(spec.column.map_or(spec.condition, |column| column.needs.condition()))),
         }
     }
 
@@ -205,7 +206,9 @@ impl<'a> InverseProblem<'a> {
             Some(reason @ (NoResult::Condition(_) | NoResult::Word)) => Error::input(format!("{result}: {reason}.")),
             reason => {
                 let [from, to] = [self.free.from, self.free.to].map(|end| self.key_text(end));
-                let reason = reason.map(|reason| format!(": {reason}")).unwrap_or_default();
+                // the reason of an impact is a sentence with a full stop
+                let reason = reason.map(|reason| format!(": {}", reason.to_string().trim_end_matches('.')));
+                let reason = reason.unwrap_or_default();
                 Error::input(format!(
                     "{path} from {from} to {to} gives no {result}{reason}. Change the range with {RANGE_OPTIONS}."
                 ))

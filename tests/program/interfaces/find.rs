@@ -199,6 +199,30 @@ fn no_solution_reports_the_range_of_the_result() {
     assert_eq!(desk.files("."), ["s.toml"]);
 }
 
+/// A sphere that is released at first contact has no kinetic energy of which the plastic work is a fraction.
+#[test]
+fn result_without_value_is_refused_with_reason() {
+    let desk = Sandbox::with(STEEL.replace("speed = \"3 m/s\"", "drop_height = 0\n[gravity]\nacceleration = 9.81"));
+    refused(
+        &desk,
+        &["sphere.radius", "s.toml", "--plastic-fraction", "0.5"],
+        &["gives no plastic_fraction: it has no value, because the sphere does not separate. Change the range"],
+    );
+    // an elastic impact has no interval, which is a result of tables alone
+    desk.write("h.toml", STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"300 HV\""));
+    refused(
+        &desk,
+        &["impact.speed", "h.toml", "--restitution-interval-low", "0.5", "--from", "1 um/s", "--to", "2 um/s"],
+        &["restitution_interval_low: it exists only if the interval is known: a body yields under the law"],
+    );
+    // the reason of an impact is a sentence, which ends once
+    refused(
+        &desk,
+        &["impact.speed", "h.toml", "--restitution", "0.5", "--from", "5 km/s", "--to", "6 km/s"],
+        &["or reduce the speed. Change the range"],
+    );
+}
+
 #[test]
 fn mistakes_are_refused_with_advice() {
     let desk = Sandbox::with(STEEL);
