@@ -34,14 +34,15 @@ fn strength_of_nearly_elastic_rebound_is_found() {
 
 #[test]
 fn elastic_rebound_gives_lower_bound_of_strength() {
-    for speed in ["0.1 m/s", "3 m/s"] {
+    // the yield speed is proportional to the strength to the power 5/2, and 9.66676 mm/s at 345 MPa by a run
+    for (speed, least) in [("0.1 m/s", "878.4 MPa"), ("3 m/s", "3.424 GPa")] {
         let (strength, summary) = of_one(1.0, speed);
         assert!(
             restitution(strength, speed) > 1.0 - 1e-9 && restitution(0.999 * strength, speed) < 1.0 - 1e-6,
             "{strength}"
         );
         let refusal = summary["refusal"].as_str().unwrap();
-        assert!(refusal.starts_with("every half_space.yield_strength from "), "{refusal}");
+        assert!(refusal.starts_with(&format!("every half_space.yield_strength from {least} to ")), "{refusal}");
         // a tenth of Young's modulus, the upper end of the range
         assert!(refusal.contains(" to 21 GPa fits equally well") && refusal.contains("elastic"), "{refusal}");
     }
