@@ -38,6 +38,23 @@ fn measurements_stand_beside_the_law() {
     assert_eq!(desk.files("o"), ["fit_restitution.svg", "residuals.csv", "residuals.svg", "summary.json"]);
 }
 
+/// Student's distribution with 4 degrees of freedom has the density 3/8 (1 + r²/4)^(−5/2) at r standard deviations. Values beyond
+/// three standard deviations are outliers: chi-square and its degrees of freedom are those of the other values.
+#[test]
+fn outliers_have_likelihood_of_student_distribution() {
+    let data = super::fits::restitutions().replace("0.5,0.6623", "0.5,0.95").replace("4,0.4871", "4,0.80");
+    let robust = "data = \"d.csv\"\nfree = {}\nnoise = { restitution = 0.01 }\nrobust = \"student-t\"\n";
+    let (desk, summary) = run_calibration(&super::fits::scenario(robust), &data, &[], 0);
+    let table = desk.read("o/residuals.csv");
+    let (measured, law) = (numbers(&table, "measured"), numbers(&table, "predicted"));
+    let squares: Vec<f64> = measured.iter().zip(&law).map(|(read, law)| ((read - law) / 0.01).powi(2)).collect();
+    let term = |square: &f64| 2.0 * f64::ln(8.0 / 3.0 * 0.01) + 5.0 * f64::ln(1.0 + square / 4.0);
+    assert_close(&summary["aic"], squares.iter().map(term).sum(), 1e-9);
+    let inliers: Vec<f64> = squares.into_iter().filter(|square| *square <= 9.0).collect();
+    assert_eq!((inliers.len(), &summary["outliers"], &summary["degrees_of_freedom"]), (8, &json!(2), &json!(8)));
+    assert_close(&summary["chi_square"], inliers.iter().sum(), 1e-9);
+}
+
 /// A model error alone is the standard deviation of every value, as a share of what the law gives.
 #[test]
 fn model_error_alone_is_share_of_law() {

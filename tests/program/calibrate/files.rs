@@ -114,6 +114,17 @@ fn shifts_match_refits(robust: &str) {
     assert_close(&Value::from(largest["without_it"].as_f64().unwrap().abs()), expected, 1e-12);
 }
 
+/// Two equal impacts determine one combination of two keys, so there are no steps of the keys.
+#[test]
+fn undetermined_keys_have_no_shifts() {
+    let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
+    let (desk, _) = run_calibration(&text, "speed_m_per_s,restitution\n3,0.49\n3,0.49\n", &[], 0);
+    let table = desk.read("o/residuals.csv");
+    for key in ["half_space_yield_strength_Pa", "half_space_youngs_modulus_Pa"] {
+        assert_eq!(column(&table, &format!("shift_without_it_{key}")), ["", ""], "{table}");
+    }
+}
+
 #[test]
 fn calibrated_scenario_keeps_comments_and_runs() {
     let text = "# of a block\n".to_owned()

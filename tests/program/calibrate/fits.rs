@@ -198,8 +198,17 @@ fn outliers_shift_robust_estimate_below_one_sd() {
     assert!((estimate(&clean) - estimate(&normal)).abs() > 5.0 * sd);
     // with an estimated noise the estimate is robust too
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = \"estimate\"\nrobust = \"student-t\""));
-    let found = run_calibration(&text, &outliers, &[], 0).1;
+    let (desk, found) = run_calibration(&text, &outliers, &[], 0);
     assert!((estimate(&clean) - estimate(&found)).abs() < 2.0 * found["keys"][0]["sd"].as_f64().unwrap());
+    // The noise is a share of the law, at least of half a reading. For normal noise the median of |residual| is the standard deviation
+    // over 1.4826, and one key takes one of 10 degrees of freedom
+    let table = desk.read("o/residuals.csv");
+    let (measured, law) = (numbers(&table, "measured"), numbers(&table, "predicted"));
+    let share = |(law, read): (&f64, &f64)| (read - law).abs() / law.max(0.5 * read);
+    let mut shares: Vec<f64> = law.iter().zip(&measured).map(share).collect();
+    shares.sort_by(f64::total_cmp);
+    let noise = 1.482_602_2 * 0.5 * (shares[4] + shares[5]) * (10.0_f64 / 9.0).sqrt();
+    assert_close(&found["estimated_noise"], noise, 1e-4);
 }
 
 #[test]
