@@ -72,7 +72,7 @@ fn heights_without_air_warn_of_both_flights() {
     let bodies = "[sphere]\nradius = \"1 mm\"\nyoungs_modulus = \"70 GPa\"\npoissons_ratio = 0.22\ndensity = \"2500 kg/m^3\"\n\
                   [half_space]\nyoungs_modulus = \"70 GPa\"\npoissons_ratio = 0.33\n[impact]\ndrop_height = \"0.5 m\"\n";
     let data = "drop_height_m,rebound_height_m\n0.5,0.2\n0.3,0.13\n0.7,0.26\n";
-    let warnings = |air: &str, calibrate: &str, data: &str| {
+    let warnings = |bodies: &str, air: &str, calibrate: &str, data: &str| {
         let desk = crate::common::prelude::Sandbox::with(format!("{bodies}{air}[calibrate]\n{calibrate}\n"));
         std::fs::write(desk.path("d.csv"), data).unwrap();
         let output = desk.run(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
@@ -83,7 +83,7 @@ fn heights_without_air_warn_of_both_flights() {
         let text = warnings.iter().find(|text| text.contains("without [air] the loss in the air"))?;
         text.split("e from the measurements is ").nth(1)?.split(' ').next()?.parse().ok()
     };
-    let of_file = share(&warnings("", "data = \"d.csv\"", data)).unwrap();
+    let of_file = share(&warnings(bodies, "", "data = \"d.csv\"", data)).unwrap();
     // by another way: a sphere in air of density 1.2 and drag 0.47 falls with v^2 = v_t^2 (1 - exp(-2 g h/v_t^2)), where
     // v_t^2 = 2 m g/(rho c A): 1 - v/sqrt(2 g h) of the fall and the same of a fall from the rebound height
     let slower = |height: f64| {
@@ -94,12 +94,19 @@ fn heights_without_air_warn_of_both_flights() {
     let both = |fall: f64, rise: f64| 100.0 * (1.0 - (1.0 - slower(fall)) * (1.0 - slower(rise)));
     let want = both(0.7, 0.26);
     assert!((of_file / want - 1.0).abs() < 0.02, "{of_file} {want}");
-    let measured = share(&warnings("", "measured.rebound_height = \"0.2 m\"", data)).unwrap();
+    let measured = share(&warnings(bodies, "", "measured.rebound_height = \"0.2 m\"", data)).unwrap();
     let want = both(0.5, 0.2);
     assert!((measured / want - 1.0).abs() < 0.02, "{measured} {want}");
-    assert_eq!(share(&warnings(AIR, "data = \"d.csv\"", data)), None);
+    assert_eq!(share(&warnings(bodies, AIR, "data = \"d.csv\"", data)), None);
+    // of an interval only the fall was measured: with e = sqrt(0.5) by the law the ball rises to a half of its height
+    let springs = "yield_strength = \"300 MPa\"\n[law.walton_braun]\nstiffness_ratio = 0.5\n";
+    let bodies_with_springs = bodies.replace("[impact]", &format!("{springs}[impact]"));
+    let intervals = "drop_height_m,bounce_interval_s\n0.5,0.45\n0.3,0.35\n0.7,0.53\n";
+    let clicks = warnings(&bodies_with_springs, "", "data = \"d.csv\"\nfree = {}", intervals);
+    let (of_clicks, want) = (share(&clicks).unwrap(), both(0.7, 0.35));
+    assert!((of_clicks / want - 1.0).abs() < 0.02, "{of_clicks} {want}");
     // millimetres that are taken for metres
-    let high = warnings("", "data = \"d.csv\"", "drop_height_m,rebound_height_m\n1000,205\n500,110\n");
+    let high = warnings(bodies, "", "data = \"d.csv\"", "drop_height_m,rebound_height_m\n1000,205\n500,110\n");
     assert!(
         high.iter().any(|text| text.contains("the drop height is 1 km, and a drop test has less than 100 m")),
         "{high:?}"

@@ -72,17 +72,26 @@ fn deviation_column_without_unit_gets_full_name() {
 fn progress_is_logged_where_there_is_no_terminal() {
     let desk = Sandbox::with("");
     desk.run_expecting(&["init", "repeat"], 0);
-    let run = |more: &[&str]| {
+    let logged = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-        command.current_dir(desk.path("")).env("PLM_IMPACT_TEST_LOG_EVERY_MS", "0").args(["run", "repeat.toml"]);
-        command.args(["--set", "repeat.impacts=200", "--pictures", "none"]).args(more);
-        let output = command.output().unwrap();
+        command.current_dir(desk.path("")).env("PLM_IMPACT_TEST_LOG_EVERY_MS", "0");
+        let output = command.args(arguments).args(["--pictures", "none"]).output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         text(&output.stderr)
     };
+    let run = |more: &[&str]| logged(&[&["run", "repeat.toml", "--set", "repeat.impacts=200"], more].concat());
     let said = run(&[]);
     assert!(said.lines().any(|line| line.contains("/200 done")), "{said}");
     assert!(!run(&["--quiet"]).contains("/200"));
+    // of a calibration: a fit and the intervals of two keys
+    desk.write("c.toml", STEEL.split("[impact]").next().unwrap());
+    desk.write("d.csv", "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n2,0.51,700,10\n3,0.49,1100,20\n");
+    let strength = "\"half_space.yield_strength\" = { from = \"100 MPa\", to = \"3 GPa\" }";
+    let modulus = "\"half_space.youngs_modulus\" = { from = \"50 GPa\", to = \"500 GPa\" }";
+    let free = format!("calibrate.free={{ {strength}, {modulus} }}");
+    let said = logged(&["calibrate", "c.toml", "d.csv", "--set", &free, "--set", "calibrate.noise.restitution=0.01"]);
+    let mut counts = said.lines().filter_map(|line| line.split_once(" done")).map(|(count, _)| count);
+    assert!(said.contains("/3 done") && counts.all(|count| count.ends_with("/3")), "{said}");
     // a line a minute: a short run has none
     let said = desk.run_expecting(&["run", "repeat.toml", "--set", "repeat.impacts=200", "--pictures", "none"], 0).1;
     assert!(!said.contains("/200"), "{said}");

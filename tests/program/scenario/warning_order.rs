@@ -39,6 +39,14 @@ fn strict_refuses_sphere_that_yields_outside_laws() {
         assert!(said.starts_with(&format!("warning: {first}")), "{said}");
         assert!(desk.summary()["warnings"][0].as_str().unwrap().starts_with(&first));
     }
+    // of a calibration only the open interval precedes, and not the warnings of air and waves
+    let range = "{ from = \"90 MPa\", to = \"110 MPa\" }";
+    let calibrate = format!("[calibrate]\ndata = \"d.csv\"\nfree = {{ \"half_space.yield_strength\" = {range} }}\n");
+    let desk = Sandbox::with(soft.split("[friction]").next().unwrap().to_owned() + &calibrate);
+    desk.write("d.csv", "drop_height_m,restitution\n200,0.3\n300,0.28\n");
+    let (_, said) = desk.run_expecting(&["calibrate", "s.toml", "--out", "out", "--pictures", "none"], 0);
+    let first = said.lines().find(|line| line.contains("at line 3 of the data: ")).unwrap();
+    assert!(first.contains(&format!("data: {YIELDS}")), "{said}");
     // what is handed to another code says it too
     let (lines, _) = Sandbox::with(&soft).run_expecting(&["export", "s.toml", "--to", "lammps"], 0);
     assert!(lines.starts_with(&format!("# warning: {YIELDS}")), "{lines}");
