@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! k = ρ C_d π R²/(2 m),   g' = g (1 − ρ V/m)
-//! fall   v = √(g'/k) √(1 − e^(−2 k h)),   t = acosh(e^(k h))/√(k g')
+//! fall   v = √(g'/k) √(1 − e^(−2 k h)),   t = acosh(e^(k h))/√(k g'),   h = ln cosh(√(k g') t)/k
 //! rise   h = ln(1 + k v²/g')/(2 k),       t = atan(v √(k/g'))/√(k g')
 //! ```
 //!
@@ -138,7 +138,7 @@ impl FreeFlight {
         match self.drag {
             DragLaw::None => (2.0 * self.effective_gravity * height).sqrt(),
             DragLaw::Constant(k) => (self.effective_gravity * -exp_m1(-2.0 * k * height) / k).sqrt(),
-            DragLaw::Sphere { terminal, .. } => terminal * -exp_m1(-self.log_speed_deficit(height)),
+            DragLaw::Sphere { terminal, .. } => terminal * -exp_m1(-self.log_deficit_after_height(height)),
         }
     }
 
@@ -151,7 +151,21 @@ impl FreeFlight {
                 let x = k * height;
                 (x + ln_1p((-exp_m1(-2.0 * x)).sqrt())) / (k * self.effective_gravity).sqrt()
             }
-            DragLaw::Sphere { .. } => self.fall_integral(self.log_speed_deficit(height), |_| 1.0),
+            DragLaw::Sphere { .. } => self.fall_integral(self.log_deficit_after_height(height), |_| 1.0),
+        }
+    }
+
+    /// The height \[m\] of a fall from rest that lasts this time \[s\].
+    fn fall_height(&self, time: f64) -> f64 {
+        match self.drag {
+            DragLaw::None => 0.5 * self.effective_gravity * time * time,
+            DragLaw::Constant(k) => {
+                let x = (k * self.effective_gravity).sqrt() * time;
+                let tanh = tanh(x);
+                // ln cosh x: at large x the first form loses digits, and at small x the second form
+                (if x < 1.0 { -0.5 * ln_1p(-tanh * tanh) } else { x - ln_1p(tanh) }) / k
+            }
+            DragLaw::Sphere { .. } => self.fall_integral(self.log_deficit_after_time(time), |v| v),
         }
     }
 
@@ -214,21 +228,17 @@ impl FreeFlight {
                     (to_top - self.rise_integral(v, |_| 1.0), slope(v))
                 })
             }
-            DragLaw::Sphere { terminal, .. } => {
-                let rate = |depth: f64| -self.fall_state(depth.min(MAX_DEPTH)).1;
-                let first = (-to_top * self.effective_gravity / terminal).min(MAX_DEPTH);
-                let depth = newton_bisection((0.0, 50.0), first, is_converged, |depth| {
-                    (-to_top - self.fall_integral(depth, |_| 1.0), rate(depth))
-                });
-                terminal * exp_m1(-depth)
-            }
+            DragLaw::Sphere { terminal, .. } => terminal * exp_m1(-self.log_deficit_after_time(-to_top)),
         }
     }
 
-    /// The height \[m\] above the take-off, for the upward speed of [`Self::speed_after`].
-    pub fn height_at(&self, take_off: f64, speed: f64) -> f64 {
-        let top = self.rise_height(take_off);
-        if speed >= 0.0 { top - self.rise_height(speed) } else { top - self.drop_height(-speed) }
+    /// The height \[m\] above the take-off at a time \[s\] after a take-off with `speed`. The height of the fall follows from
+    /// its time: at the terminal speed the same speed belongs to all heights.
+    pub fn height_after(&self, speed: f64, time: f64) -> f64 {
+        let to_top = self.rise_time(speed) - time;
+        let below_top =
+            if to_top >= 0.0 { self.rise_height(self.speed_after(speed, time)) } else { self.fall_height(-to_top) };
+        self.rise_height(speed) - below_top
     }
 
     /// d \[m/s²\] at a speed.
@@ -285,14 +295,25 @@ impl FreeFlight {
     }
 
     /// −ln(1 − v/v_t) after a fall from rest through `height` \[m\].
-    fn log_speed_deficit(&self, height: f64) -> f64 {
+    fn log_deficit_after_height(&self, height: f64) -> f64 {
+        self.log_speed_deficit(height, |v| v, (2.0 * self.effective_gravity * height).sqrt())
+    }
+
+    /// −ln(1 − v/v_t) after a fall from rest of this time \[s\].
+    fn log_deficit_after_time(&self, time: f64) -> f64 {
+        self.log_speed_deficit(time, |_| 1.0, self.effective_gravity * time)
+    }
+
+    /// −ln(1 − v/v_t) of the speed v up to which ∫ part du/(g' − d) from rest has this value. The search begins at the speed
+    /// without drag.
+    fn log_speed_deficit(&self, value: f64, part: fn(f64) -> f64, speed_without_drag: f64) -> f64 {
         let terminal = self.terminal_speed();
-        // without drag the speed is √(2 g' h); at the terminal speed the height grows by v_t²/2g' to v_t²/g' a unit
-        let first = -ln_1p(-((2.0 * self.effective_gravity * height).sqrt() / terminal).min(0.999));
-        let most = MAX_DEPTH + 2.0 * height * self.effective_gravity / (terminal * terminal);
+        let first = -ln_1p(-(speed_without_drag / terminal).min(0.999));
+        // at the terminal speed the integral grows by part v_t/2g' to part v_t/g' a unit
+        let most = MAX_DEPTH + 2.0 * value * self.effective_gravity / (terminal * part(terminal));
         newton_bisection((0.0, most), first, is_converged, |depth| {
             let (v, rate) = self.fall_state(depth.min(MAX_DEPTH));
-            (height - self.fall_integral(depth, |v| v), -v * rate)
+            (value - self.fall_integral(depth, part), -part(v) * rate)
         })
     }
 }

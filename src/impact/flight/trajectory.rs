@@ -97,7 +97,7 @@ impl Flight {
     /// Height over the original surface \[m\] at a time since the beginning \[s\].
     pub fn height_at(&self, time: f64) -> f64 {
         if self.flying.has_air() {
-            return self.height + self.flying.height_at(self.speed, -self.speed_at(time));
+            return self.height + self.flying.height_after(self.speed, time);
         }
         self.height + time * (self.speed - 0.5 * self.flying.gravity * time)
     }

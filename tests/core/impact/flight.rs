@@ -7,6 +7,7 @@ use crate::common::prelude::*;
 use crate::common::reference::{Row, rows};
 use approx::assert_abs_diff_eq;
 use plm_impact::impact::flight::free_flight::{FreeFlight, Medium};
+use plm_impact::impact::flight::trajectory::Flight;
 use plm_impact::validate;
 
 fn medium(row: &Row) -> Medium {
@@ -85,7 +86,7 @@ fn flights_are_those_of_the_equation_of_motion() {
         };
         let rise = flying.rise_height(take_off);
         let [up, down] = [flying.rise_time(take_off), flying.fall_time(rise)];
-        for duration in [0.6 * up, up + 0.7 * down] {
+        for duration in [0.01 * up, 0.6 * up, up + 0.7 * down] {
             let end = flying.speed_after(take_off, duration);
             // the drag of a sphere jumps at Re = 1000, and has no second derivative at rest
             let jump = 1000.0 * viscosity / (2.0 * radius * density);
@@ -104,8 +105,40 @@ fn flights_are_those_of_the_equation_of_motion() {
             }
             let tolerance = if drag.is_some() { 1e-12 } else { 1e-9 };
             assert!((time - duration).abs() < tolerance * duration, "{}: {time} {duration}", row.name());
-            let got = flying.height_at(take_off, end);
+            let got = flying.height_after(take_off, duration);
             assert!((got - height).abs() < tolerance * rise, "{}: {got} {height}", row.name());
+        }
+    }
+}
+
+/// By height and by time, from the release to far beyond the height of the terminal speed.
+#[test]
+fn a_fall_has_its_height_at_its_time() {
+    let air = |drag: Option<f64>| Medium { density: 1.2, drag, viscosity: 1.8e-5 };
+    // a table-tennis ball, a steel ball of 10 mm, a drop of water of 40 µm; the drag coefficient of the first two is 0.44 in a long fall
+    for (radius, mass) in [(0.02, 2.7e-3), (5e-3, 4.11e-3), (2e-5, 3.35e-11)] {
+        for drag in [Some(0.5), None, Some(0.0)] {
+            let flying = FreeFlight::in_air(9.81, &air(drag), radius, mass);
+            let length = if drag == Some(0.0) { 10.0 } else { flying.terminal_speed().powi(2) / flying.pull() };
+            for lengths in [0.0, 1e-6, 0.1, 1.0, 5.0, 15.0, 18.0, 30.0, 1e3, 1e6] {
+                let fall = Flight::from_drop(flying, lengths * length);
+                let at = format!("{drag:?}, {radius}: {lengths} of {length} m");
+                assert_eq!((fall.height_at(0.0), fall.speed_at(0.0)), (fall.height, 0.0), "{at}");
+                assert!(
+                    fall.height_at(fall.duration).abs() <= 1e-12 * fall.height,
+                    "{at}: {}",
+                    fall.height_at(fall.duration)
+                );
+                assert_relative_eq!(fall.speed_at(fall.duration), fall.landing_speed, max_relative = 1e-12);
+            }
+            let Some(coefficient) = drag.filter(|drag| *drag > 0.0) else { continue };
+            // (m/(ρ C_d π R²/2)) ln cosh(g' t/v_t)
+            let length = 2.0 * mass / (1.2 * coefficient * PI * radius * radius);
+            for terminal_times in [0.01, 0.5, 0.99, 1.01, 5.0, 15.0, 18.0, 20.0, 700.0] {
+                let time = terminal_times * flying.terminal_speed() / flying.pull();
+                let fallen = length * f64::cosh(terminal_times).ln();
+                assert_relative_eq!(flying.height_after(0.0, time), -fallen, max_relative = 1e-11);
+            }
         }
     }
 }
@@ -128,7 +161,11 @@ fn limits_of_little_air_and_of_long_falls() {
     let stokes = FreeFlight::in_air(9.81, &Medium { drag: None, viscosity: 1.8e-5, ..air(1.2) }, 1e-4, 1e-8);
     // a drop of water of 20 µm radius sinks at 5 cm/s
     let drop = FreeFlight::in_air(9.81, &Medium { drag: None, viscosity: 1.8e-5, ..air(1.2) }, 2e-5, 3.35e-11);
-    for flying in [thick, stokes, drop] {
+    // above Re = 1000, a table-tennis ball and the steel ball
+    let sphere = Medium { drag: None, viscosity: 1.8e-5, ..air(1.2) };
+    let [ball, steel] =
+        [(0.02, 2.7e-3), (radius, mass)].map(|(radius, mass)| FreeFlight::in_air(9.81, &sphere, radius, mass));
+    for flying in [thick, stokes, drop, ball, steel] {
         let length = flying.terminal_speed() * flying.terminal_speed() / 9.81;
         for lengths in [30.0, 3e3, 3e5] {
             let height = lengths * length;
@@ -154,9 +191,40 @@ const IN_AIR: &str = "[air]\ndensity = \"1.2 kg/m^3\"\ndrag = 0.5\n[gravity]\nac
 /// before left.
 #[test]
 fn an_impact_and_a_series_fly_in_air() {
+    // drag, buoyancy alone, and both
+    for (density, drag) in [(1.2, 0.5), (100.0, 0.0), (50.0, 0.5)] {
+        assert_flights(density, drag);
+    }
+}
+
+/// Asserts that the falls, rises and heights of a drop and its bounces are those of the closed forms.
+fn assert_flights(density: f64, drag: f64) {
     let text = STEEL.replace("speed = \"3 m/s\"", "drop_height = \"2 m\"") + IN_AIR;
-    let input = read(&text, NO_OVERRIDES).resolve().unwrap();
+    let input = read(&text, &[format!("air.density={density}"), format!("air.drag={drag}")]).resolve().unwrap();
     let (contact, speed) = (input.contact().unwrap(), input.speed());
+    let (radius, mass) = (5e-3, contact.mass());
+    let k = density * drag * PI * radius * radius / (2.0 * mass);
+    let pull = 9.81 * (1.0 - density * 4.0 / 3.0 * PI * radius.powi(3) / mass);
+    // the height over the take-off
+    let height_after = |v: f64, time: f64| {
+        if k == 0.0 {
+            return time * (v - 0.5 * pull * time);
+        }
+        let rate = (k * pull).sqrt();
+        let up = (v * (k / pull).sqrt()).atan() / rate;
+        let from_top = |time: f64| if time < 0.0 { (rate * time).cos().ln() } else { -(rate * time).cosh().ln() };
+        (from_top(time - up) - from_top(-up)) / k
+    };
+    let assert_heights = |flight: &Flight| {
+        for share in [0.0, 0.3, 0.8] {
+            let time = share * flight.duration;
+            let height = flight.height + height_after(flight.speed, time);
+            assert!(
+                (flight.height_at(time) - height).abs() < 1e-9 * flight.apex_height(),
+                "{share}: {height} {flight:?}"
+            );
+        }
+    };
     let flying = contact.forces().flight.unwrap();
     assert_eq!(speed, flying.landing_speed(2.0));
     let impact = contact.impact(speed, &Solver::AUTO, None).unwrap();
@@ -166,6 +234,7 @@ fn an_impact_and_a_series_fly_in_air() {
     for place in [SpotMode::Same, SpotMode::Fresh] {
         let series =
             ImpactSeries { spot_mode: place, mode: drive.clone() }.run(&contact, &Solver::AUTO, 2, None).unwrap();
+        assert_heights(&series.fall.unwrap());
         let mut time = flying.fall_time(2.0);
         for pair in series.impacts.windows(2) {
             let (hit, flight) = (&pair[0], pair[0].flight.unwrap());
@@ -179,9 +248,11 @@ fn an_impact_and_a_series_fly_in_air() {
                 max_relative = 1e-13
             );
             assert!(flight.height_at(flight.duration).abs() < 1e-9 + hit.impact.row.residual_indentation);
-            let (free, top) = (flight.without_air().apex_height(), flight.apex_height());
-            // for slow flights buoyancy is more than drag
-            assert!(free > top || hit.approach.normal < 1.0, "{free} {top} {flight:?}");
+            assert_heights(&flight);
+            let free = flight.without_air();
+            assert_eq!((free.begin, free.height, free.speed), (flight.begin, flight.height, flight.speed));
+            assert_relative_eq!(free.duration, 2.0 * flight.speed / 9.81, max_relative = 1e-14);
+            assert!(!free.flying.has_air());
             time += hit.impact.row.contact_time + flight.duration;
         }
     }
@@ -257,13 +328,16 @@ fn time_to_rest_sums_flights_in_air() {
             .replace("speed = \"3 m/s\"", &format!("drop_height = {height}"))
             .replace("density = \"7850 kg/m^3\"\n", "")
             + IN_AIR;
-        let input = read(&text, &ball).resolve().unwrap();
-        let contact = input.contact().unwrap();
-        let series = |most: u64| {
+        let series_at = |gravity: f64, most: u64| {
+            let acceleration = format!("gravity.acceleration={gravity}");
+            let set = [&ball[..], &[&acceleration]].concat();
+            let input = read(&text, &set).resolve().unwrap();
             let approach = input.speed().into();
-            let drive = SeriesMode::Bouncing { gravity: 9.81, drop_height: Some(height), approach, most, until: None };
-            ImpactSeries { spot_mode: SpotMode::Fresh, mode: drive }.run(&contact, &Solver::AUTO, 0, None).unwrap()
+            let drive = SeriesMode::Bouncing { gravity, drop_height: Some(height), approach, most, until: None };
+            let series = ImpactSeries { spot_mode: SpotMode::Fresh, mode: drive };
+            series.run(&input.contact().unwrap(), &Solver::AUTO, 0, None).unwrap()
         };
+        let series = |most: u64| series_at(9.81, most);
         let long = series(300);
         let durations = long.impacts.iter().filter_map(|hit| hit.flight).map(|flight| flight.duration);
         let whole = durations.sum::<f64>() + long.remaining_time.unwrap_or(0.0);
@@ -272,5 +346,8 @@ fn time_to_rest_sums_flights_in_air() {
         assert!(relative_error(rest, whole) < 1e-3, "{height}: {rest} {whole}");
         let in_vacuum = 2.0 * last.rebound_speed / 9.81 / (1.0 - last.impact.row.restitution);
         assert!(rest < in_vacuum * if height > 1.0 { 0.8 } else { 1.0 }, "{height}: {rest} {in_vacuum}");
+        // the same heights at a gravity of 0.1 m/s²: with a constant drag coefficient times are as 1/√g
+        let slow = series_at(0.1, 1).remaining_time.unwrap() * (0.1_f64 / 9.81).sqrt();
+        assert!(relative_error(slow, rest) < 1e-3, "{height}: {slow} {rest}");
     }
 }
