@@ -131,4 +131,10 @@ fn impossible_rods_are_refused() {
     let contact = on_rod(long(8e-3), None);
     let damped = contact.clone().with_forces(Forces { damping, ..*contact.forces() });
     assert_eq!(refused(&damped), WaveguideFault::Damped);
+    // the end of a rod is flat, and rests
+    for (radius, support) in [(Some(0.05), Support::Fixed), (None, Support::Free(1.0))] {
+        let half_space = HalfSpace { radius, support, ..*contact.half_space() };
+        let moved = Contact::try_new(*contact.sphere(), half_space, &Plm::default()).unwrap();
+        assert_eq!(refused(&moved.with_forces(*contact.forces())), WaveguideFault::Curved, "{support:?}");
+    }
 }

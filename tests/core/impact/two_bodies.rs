@@ -77,6 +77,18 @@ fn a_hollow_needs_room_for_the_sphere() {
     assert!(matches!(of(-1.9 * sphere.radius), Err(ImpactError::Hollow(_))));
 }
 
+/// A ball that is hit is free to move, and would fall too.
+#[test]
+fn free_target_under_gravity_is_refused() {
+    let free = balls(STEEL, STEEL, UnloadingExponent::Paper);
+    for (gravity, is_refused) in [(None, false), (Some(0.0), false), (Some(9.81), true)] {
+        let contact = free.clone().with_forces(Forces { gravity, ..Forces::default() });
+        let error = contact.impact(1.0, &Solver::AUTO, None).err();
+        assert_eq!(matches!(error, Some(ImpactError::FreeUnderGravity)), is_refused, "{gravity:?}: {error:?}");
+        assert_eq!(error.is_some(), is_refused, "{gravity:?}: {error:?}");
+    }
+}
+
 /// Two equal elastic balls exchange their speeds. What a run leaves of the speed of the first is its error, and no result.
 #[test]
 fn rest_within_error_of_run_is_no_rest() {

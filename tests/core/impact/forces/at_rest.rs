@@ -39,3 +39,20 @@ fn sphere_released_at_rest_falls_at_any_tolerance() {
         }
     }
 }
+
+/// The weight does the work m g δ on a sphere that is released at rest, so the sphere sinks as deep as an impact of this energy without
+/// gravity does: through a law whose pieces depend on the depth too.
+#[test]
+fn released_sphere_sinks_as_deep_as_its_energy() {
+    for yield_strength in [3e3, 30e3, 300e3] {
+        let ground = Material { youngs_modulus: 20e6, poissons_ratio: 0.45 };
+        let scene = Scene { radius: 20e-3, half_space: ground, yield_strength: Some(yield_strength), ..Scene::steel() };
+        let peak = |forces: Forces, speed: f64| {
+            let impact = super::contact_with_forces(&scene, forces).closed_form(speed).unwrap();
+            impact.row.peak_indentation
+        };
+        let released = peak(super::gravity(super::GRAVITY), 0.0);
+        let hit = peak(Forces::default(), (2.0 * super::GRAVITY * released).sqrt());
+        assert!(relative_error(released, hit) < 1e-12, "{yield_strength}: {released} {hit}");
+    }
+}

@@ -111,7 +111,9 @@ fn hardly_oscillating_sphere_comes_to_rest() {
     for zeta in [0.8, 0.85, 0.89, 0.895, 0.898_116, 0.899_9, 0.91] {
         let forces = Forces { gravity: Some(GRAVITY), damping: Some(Damping::Viscous(zeta)), ..Forces::default() };
         let contact = contact_with_forces(&scene, forces);
-        let fine = contact.impact(0.0, &solver(Method::Rk8, 1e-11), None).unwrap();
+        let fine = contact.impact(0.0, &solver(Method::Rk8, 1e-11), Some(20)).unwrap();
+        // the run of a sphere that oscillates ends at a turn, however near the static point the sphere is before
+        assert!(zeta > 0.9 || fine.trace.last().unwrap().speed == 0.0, "{zeta}");
         for tolerance in LOOSE {
             for (method, _) in STEPPING {
                 let got = contact.impact(0.0, &solver(method, tolerance), None).unwrap();
