@@ -58,6 +58,34 @@ fn titles_are_in_the_words_of_the_field() {
     }
 }
 
+/// A ball bounces under gravity, and shots are prescribed: the title has their number.
+#[test]
+fn title_counts_bounces_or_shots() {
+    let shots = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + "[repeat]\nspeeds = [1, 2]\nspot = \"same\"\n";
+    let bounces = STEEL.to_owned() + "[gravity]\nacceleration = 9.81\n[repeat]\nimpacts = 3\nspot = \"fresh\"\n";
+    for (text, title) in [(shots, "2 shots on the same spot"), (bounces, "3 bounces on fresh surface")] {
+        let drawn = drawn(&text, "impacts");
+        assert!(has(&drawn, title), "{title}: {:?}", drawn.texts());
+    }
+}
+
+/// The time axis ends 3 % behind the contact, and the curves end with the contact.
+#[test]
+fn time_axis_of_impact_ends_with_contact() {
+    let desk = Sandbox::with(STEEL);
+    desk.run_expecting(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
+    let contact_time = desk.summary()["contact_time_s"].as_f64().unwrap();
+    let drawn = SvgPicture(desk.read("out/history.svg"));
+    let scale = drawn.across(0);
+    let right = drawn.boxes()[0][2];
+    let end = scale.value(right);
+    assert!((end / contact_time - 1.03).abs() < 0.003, "{end} {contact_time}");
+    // the key is beyond the box
+    let places = drawn.lines(PURPLE).concat().into_iter().map(|at| at.0).filter(|at| *at <= right);
+    let last = scale.value(places.fold(0.0, f64::max));
+    assert!((last / contact_time - 1.0).abs() < 0.003, "{last} {contact_time}");
+}
+
 /// Seven of twenty curves are shown, at even steps, in one unit and in different colours; the key states that there are more.
 #[test]
 fn long_axis_has_even_counted_curves() {
