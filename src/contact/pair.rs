@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::body::{HalfSpace, InvalidInput, OutOfFloatRange, Sphere, check_bodies, finite_positive};
 use crate::error::ErrorKind;
+use crate::numerics::comparison::is_below;
 use crate::numerics::functions::{atan, exp};
 use crate::numerics::root::illinois;
 use crate::units::{Dimension, format_input};
@@ -130,9 +131,9 @@ impl YieldPartition {
         } else {
             (of_sphere / of_half_space, half_space, sphere)
         };
-        let single_body_weight = ((ratio - 1.0) / (ALONE_FROM - 1.0)).min(1.0);
+        let single_body_weight = if is_below(ratio, ALONE_FROM) { (ratio - 1.0) / (ALONE_FROM - 1.0) } else { 1.0 };
         let of_harder = (1.0 - single_body_weight) * harder;
-        let remaining = if ratio < 2.0 { harder * exp((1.0 - ratio) / 0.27) } else { 0.0 };
+        let remaining = if is_below(ratio, 2.0) { harder * exp((1.0 - ratio) / 0.27) } else { 0.0 };
         Self {
             ratio,
             is_sphere,

@@ -16,6 +16,7 @@ use thiserror::Error;
 use super::{ContactState, Unloading, UnloadingShape};
 use crate::contact::pair::ALONE_FROM;
 use crate::contact::strength::flow_curve::FlowError;
+use crate::numerics::comparison::is_above;
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::root::bisect;
 use crate::units::{format_four_digits, format_percent};
@@ -110,6 +111,11 @@ impl Validity {
     /// A loading that is elastic up to `elastic_until` and holds everywhere beyond.
     pub fn new(elastic_until: f64, max_radius_ratio: f64) -> Self {
         Self { elastic_until, max_indentation: f64::INFINITY, fitted_range: None, max_radius_ratio }
+    }
+
+    /// True if a contact with this a/R is too wide.
+    pub fn is_exceeded(&self, radius_ratio: f64) -> bool {
+        is_above(radius_ratio, self.max_radius_ratio)
     }
 }
 

@@ -19,6 +19,7 @@ use crate::impact::{
     Warning, WarningKind, dent_warning, exponent_warning, flow_warnings, ignored_strength, peak_warnings,
     yielding_warning,
 };
+use crate::numerics::comparison::is_above;
 use load_step::LoadStep;
 
 /// A step that moves by a smaller fraction of the indentation is rounding, and counts as no motion.
@@ -219,7 +220,7 @@ impl StaticContact {
                 SetPoint::Indentation(indentation) => indentation / length,
             };
             let (indentation, radius) = (to * length, self.pair.smaller_radius);
-            if indentation.is_nan() || indentation > radius {
+            if indentation.is_nan() || is_above(indentation, radius) {
                 return Err(IndentationError::TooDeep { step: number, indentation, radius });
             }
             if (to - from).abs() <= MIN_MOVE * from.max(to) {
@@ -235,7 +236,7 @@ impl StaticContact {
             }
             let step = self.step(*target, &stroke)?;
             let PeakResult { contact_radius, .. } = step.peak;
-            if contact_radius > radius {
+            if is_above(contact_radius, radius) {
                 return Err(IndentationError::TooWide { step: number, contact_radius, radius });
             }
             if stroke.is_new_peak() {

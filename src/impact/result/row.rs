@@ -178,7 +178,7 @@ impl ImpactRow {
             flat_depth: flat_share * residual * scales.units.length,
             peak_contact_radius,
             radius_ratio,
-            is_outside_validity: radius_ratio > ground.law.validity.max_radius_ratio
+            is_outside_validity: ground.law.validity.is_exceeded(radius_ratio)
                 || law.is_some_and(|law| law.exceeded_fit_range(&peak).is_some()),
             kinetic_in,
             plastic_fraction,

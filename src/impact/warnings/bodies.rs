@@ -9,6 +9,7 @@ use crate::impact::problem::contact::{Contact, is_modulus_wrong};
 use crate::impact::result::row::ImpactRow;
 use crate::impact::result::warning::{FULL_PLASTICITY_RATIO, Warning, WarningKind};
 use crate::materials::{MaterialClass, MaterialEntry};
+use crate::numerics::comparison::is_above;
 use crate::units::{Dimension, format_four_digits, format_input, format_result};
 
 /// Bodies of a lower density \[kg/m³\] get a warning; cork has 120 to 240.
@@ -197,7 +198,7 @@ fn body_warnings(
     density: Option<f64>,
 ) -> impl Iterator<Item = Warning> + use<> {
     let modulus = material.youngs_modulus;
-    let high = strength.filter(|strength| *strength > HIGH_STRENGTH_RATIO * modulus).map(|strength| {
+    let high = strength.filter(|strength| is_above(*strength, HIGH_STRENGTH_RATIO * modulus)).map(|strength| {
         let [given, modulus_text] = [strength, modulus].map(|pressure| format_input(pressure, Dimension::Pressure));
         let text = if is_modulus_wrong(modulus, Some(strength)) {
             format!(

@@ -13,6 +13,7 @@ use crate::contact::pair::Pair;
 use crate::impact::problem::contact::Contact;
 use crate::impact::result::row::ImpactRow;
 use crate::impact::result::warning::{Warning, WarningKind};
+use crate::numerics::comparison::is_above;
 use crate::units::{Dimension, format_result};
 
 /// The warnings that concern e in an impact with this speed normal to the surface \[m/s\], this peak mean pressure \[Pa\] and this
@@ -73,22 +74,22 @@ impl Contact {
 /// The warning for a dent of this radius, over that of the sphere.
 pub(crate) fn dent_warning(law: &Law, ratio: f64) -> Option<Warning> {
     let limit = law.validity.max_radius_ratio;
-    Warning::new_if(ratio > limit, WarningKind::DeepDent, ratio, || {
+    Warning::new_if(law.validity.is_exceeded(ratio), WarningKind::DeepDent, ratio, || {
         format!(
             "Force, dent and e are estimates. Contact radius / sphere radius (a/R) = {ratio:.3} exceeds {limit}, the limit of validity of this law. Reduce the indentation."
         )
     })
 }
 
-/// κ of a sphere that is not stiff.
-const SOFT_SPHERE: f64 = 0.75;
+/// The largest κ of a stiff sphere: its Young's modulus is a third of the modulus of a half-space with the same Poisson's ratio.
+const MAX_COMPLIANCE_OF_STIFF_SPHERE: f64 = 0.75;
 
 /// The warning for a deep dent of a stiff sphere in a metal that does not harden.
 fn soft_dent_warning(contact: &Contact, ratio: f64) -> Option<Warning> {
     let UnloadingRule::PlmRule(rule) = contact.law.rule_while_loading() else { return None };
-    let limit = contact.law.validity.max_radius_ratio;
-    let is_deep = ratio > MAX_SOFT_RADIUS_RATIO && ratio <= limit;
-    let is_soft = rule.hardening.is_none() && contact.pair().sphere_compliance < SOFT_SPHERE;
+    let is_deep = ratio > MAX_SOFT_RADIUS_RATIO && !contact.law.validity.is_exceeded(ratio);
+    let is_soft =
+        rule.hardening.is_none() && !is_above(contact.pair().sphere_compliance, MAX_COMPLIANCE_OF_STIFF_SPHERE);
     Warning::new_if(is_deep && is_soft, WarningKind::DeepSoftDent, ratio, || {
         format!(
             "e may be up to 6 % too high. Contact radius / sphere radius (a/R) = {ratio:.3} exceeds {MAX_SOFT_RADIUS_RATIO}, and the metal is perfectly plastic: finite elements form a lip around such a dent. Give the flow curve of the metal (flow_stress)."

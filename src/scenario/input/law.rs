@@ -7,6 +7,7 @@ use crate::contact::law::catalogue::jackson_green::HardnessFit;
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::pair::{ALONE_FROM, yield_factor};
 use crate::contact::strength::flow_curve::FlowCurve;
+use crate::numerics::comparison::is_below;
 use crate::scenario::keys::{KeyId, NUMBER, body_key, key};
 
 impl Input {
@@ -76,7 +77,9 @@ impl Input {
             Some(strength * yield_factor(self.material(body).poissons_ratio))
         };
         match Body::ALL.map(pressure) {
-            [Some(sphere), Some(half_space)] if sphere.max(half_space) < ALONE_FROM * sphere.min(half_space) => {
+            [Some(sphere), Some(half_space)]
+                if is_below(sphere.max(half_space), ALONE_FROM * sphere.min(half_space)) =>
+            {
                 [None, None]
             }
             _ => curves,

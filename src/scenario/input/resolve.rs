@@ -14,6 +14,7 @@ use crate::impact::{
     PulseRequest, Rod, STANDARD_GRAVITY, Solver, Waveguide,
 };
 use crate::materials::{MaterialEntry, all_materials};
+use crate::numerics::comparison::is_below;
 use crate::results::SUBSURFACE_COLUMNS;
 use crate::scenario::keys::{Part, body_key, key};
 
@@ -57,7 +58,7 @@ impl Input {
         let law = self.law();
         self.yield_partition().is_some_and(|partition| {
             partition.for_softer(Body::ALL) != body
-                && partition.ratio >= least
+                && !is_below(partition.ratio, least)
                 && partition.for_softer(law.flow_curves()).is_none()
         })
     }

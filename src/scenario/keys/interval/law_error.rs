@@ -7,6 +7,7 @@ use serde::Deserialize;
 
 use crate::contact::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::impact::Contact;
+use crate::numerics::comparison::{is_above, is_below};
 use crate::results::restitution_interval::{IntervalPart, PartKind};
 use crate::scenario::input::{Body, Input};
 use crate::strings::names::named_enum;
@@ -104,7 +105,7 @@ pub(super) fn poissons_ratio_part(input: &Input, contact: &Contact, law: &LawCho
     if poissons_ratio < 0.0 {
         return None;
     }
-    if (least..=most).contains(&poissons_ratio) {
+    if !is_below(poissons_ratio, least) && !is_above(poissons_ratio, most) {
         return Some(Vec::new());
     }
     let exponent = exponent_name(law)?;
