@@ -29,10 +29,14 @@ fn contacts() -> Vec<(&'static str, Contact)> {
     ]
 }
 
-/// Loads, unloads, reloads beyond the largest indentation, turns at the largest one, and leaves.
+/// Touches, loads, unloads to exactly 0, reloads beyond the largest indentation, turns at the largest one, and leaves.
 fn path() -> impl Iterator<Item = f64> {
-    const TURNS: [f64; 9] = [0.0, 1e-7, 5e-8, 30e-6, 25e-6, 30e-6, 28e-6, 35e-6, -1e-6];
-    TURNS.windows(2).flat_map(|leg| (1..=50).map(|step| leg[0] + (leg[1] - leg[0]) * f64::from(step) / 50.0))
+    const TURNS: [f64; 10] = [0.0, 1e-7, 0.0, 5e-8, 30e-6, 25e-6, 30e-6, 28e-6, 35e-6, -1e-6];
+    let steps = |leg: &[f64]| {
+        let (from, to) = (leg[0], leg[1]);
+        (1..=50).map(move |step| from + (to - from) * f64::from(step) / 50.0)
+    };
+    std::iter::once(0.0).chain(TURNS.windows(2).flat_map(steps))
 }
 
 fn assert_near(got: f64, want: f64, size: f64, what: &str) {
@@ -46,16 +50,19 @@ fn step_has_force_friction_and_energies_of_functions() {
         let (mut memory, mut friction) = (Memory::default(), [0.0; 3]);
         let (mut history, mut of_steps) = (ContactHistory::default(), [0.0; 3]);
         // with energies in every step, and in the steps of the last unloading alone
-        let mut sparse = ContactHistory::default();
+        let (mut sparse, mut of_sparse) = (ContactHistory::default(), [0.0; 3]);
         let mut largest = 0.0_f64;
         let n = path().count();
         for (number, indentation) in path().enumerate() {
             let what = format!("{name}, step {number}");
-            let (previous_indentation, before) = (history.indentation, history);
+            let (previous_indentation, before, sparse_before) = (history.indentation, history, sparse);
+            let is_unloaded = indentation < memory.indentation;
             let force = contact.force(indentation, &mut memory);
             let slip = [2e-8, if number < n / 2 { 1e-8 } else { -3e-8 }, 0.0];
             let step = FrictionStep { previous_indentation, indentation, force, slip };
             assert!(contact.friction(0.2, &step, &memory, &mut friction));
+            let mut without_friction = [0.0; 3];
+            assert!(contact.friction(0.0, &step, &memory, &mut without_friction) && without_friction == [0.0; 3]);
             let energy = contact.energy(indentation, force, &memory);
 
             assert!(contact.step(indentation, &mut history), "{what}");
@@ -73,6 +80,13 @@ fn step_has_force_friction_and_energies_of_functions() {
 
             assert!(contact.step(indentation, &mut sparse));
             assert_eq!(sparse.force, history.force, "{what}");
+            assert!(contact.friction_after_step(0.2, &sparse_before, &sparse, &slip, &mut of_sparse), "{what}");
+            for (got, want) in of_sparse.iter().zip(friction) {
+                assert_near(*got, want, largest, &what);
+            }
+            if is_unloaded {
+                assert_near(sparse.plastic_work, energy.plastic, work, &what);
+            }
             if number > n - 40 {
                 assert_eq!(contact.stored_energy(&mut sparse), stored, "{what}");
                 assert_eq!(sparse, history, "{what}");
@@ -93,6 +107,11 @@ fn contact_accepts_its_own_memory_alone() {
     for (name, contact) in contacts() {
         let mut memory = Memory::default();
         assert!(contact.accepts(&memory), "{name}");
+        // no path leads to a largest indentation without force
+        for indentation in [-1e-6, f64::NAN, 30e-6] {
+            let without_force = Memory { indentation, ..Memory::default() };
+            assert!(!contact.accepts(&without_force), "{name}: {indentation}");
+        }
         contact.force(30e-6, &mut memory);
         let is_elastic = memory == Memory::default();
         assert_eq!(is_elastic, name == "elastic");

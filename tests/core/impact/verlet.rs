@@ -101,6 +101,85 @@ fn steps_per_contact_are_kept_under_gravity() {
     }
 }
 
+/// A sphere that its weight holds in the contact has no motion left where the contact carries the weight.
+#[test]
+fn captured_sphere_ends_in_static_equilibrium() {
+    let contact = Scene::steel().contact().with_forces(Forces { gravity: Some(1e5), ..Forces::default() });
+    let exact = contact.impact(0.1, &solver(Method::Rk8, 1e-12), None).unwrap().forces_result.unwrap();
+    let impact = contact.impact(0.1, &verlet(50), None).unwrap();
+    let (end, step) = (impact.forces_result.unwrap(), impact.fixed_steps.unwrap().step);
+    assert_eq!(end.fate, ImpactEnd::Captured);
+    assert!((end.end_time - exact.end_time).abs() <= step, "{:e} {:e}", end.end_time, exact.end_time);
+    let missed = relative_error(end.end_indentation, end.static_indentation.unwrap());
+    assert!(missed < 1e-2, "{missed:e}");
+}
+
+/// Under its weight a slow sphere sinks into its dent, and leaves faster than it came: no error of the steps.
+#[test]
+fn slow_sphere_may_gain_speed_by_gravity() {
+    let contact = contact(STEEL, &["law.plm.unloading_exponent=1.35"]);
+    let contact = contact.with_forces(Forces { gravity: Some(230.0), ..Forces::default() });
+    let exact = contact.closed_form(0.003).unwrap().row.restitution;
+    let e = contact.impact(0.003, &verlet(200), None).unwrap().row.restitution;
+    assert!(exact > 1.05 && relative_error(e, exact) < 1e-4, "{e} {exact}");
+}
+
+/// The speed of velocity Verlet is the central difference of its positions. The times of the rows are those of the steps.
+#[test]
+fn trace_has_positions_and_speeds_of_steps() {
+    let elastic = Scene { yield_strength: None, ..Scene::steel() };
+    let impact = elastic.contact().impact(3.0, &verlet(50), Some(51)).unwrap();
+    let rows: Vec<_> = impact.trace.iter().filter(|row| matches!(row.event, None | Some(Event::Touch))).collect();
+    assert_eq!(rows.len(), 50);
+    for rows in rows.windows(3) {
+        let difference = (rows[2].indentation - rows[0].indentation) / (rows[2].time - rows[0].time);
+        assert!((rows[1].speed - difference).abs() < 1e-12 * 3.0, "{:e}: {difference}", rows[1].time);
+    }
+}
+
+/// F + 2 ζ √(m k_t) v until the peak, by the force and the tangent stiffness of the contact.
+#[test]
+fn damped_trace_has_force_of_law_and_damper() {
+    let zeta = 0.1;
+    let forces = Forces { damping: Some(Damping::Viscous(zeta)), ..Forces::default() };
+    let contact = Scene::steel().contact().with_forces(forces);
+    let impact = contact.impact(3.0, &verlet(50), Some(400)).unwrap();
+    let mut memory = Memory::default();
+    for row in impact.trace.iter().take_while(|row| row.event != Some(Event::Peak)) {
+        let stiffness = contact.stiffness(row.indentation, &memory);
+        let force = contact.force(row.indentation, &mut memory);
+        let damped = force + 2.0 * zeta * (contact.mass() * stiffness).sqrt() * row.speed;
+        assert!((row.force - damped).abs() < 1e-9 * impact.row.peak_force, "{row:?}: {damped}");
+    }
+}
+
+/// A metal whose strength depends on the strain rate relaxes at the peak: two rows of one time, as by the other methods.
+#[test]
+fn trace_has_row_of_relaxation() {
+    let contact = contact(STEEL, &["half_space.rate.johnson_cook.c=0.03"]);
+    let [by_steps, exact] = [verlet(1000), solver(Method::Rk8, 1e-12)].map(|solver| {
+        let trace = contact.impact(3.0, &solver, Some(51)).unwrap().trace;
+        let peak = trace.iter().position(|row| row.event == Some(Event::Peak)).unwrap();
+        let [peak, relaxed] = [&trace[peak], &trace[peak + 1]];
+        assert!(relaxed.event == Some(Event::Relaxation) && relaxed.time == peak.time, "{relaxed:?}");
+        relaxed.force / peak.force
+    });
+    assert!(exact < 0.99 && (by_steps - exact).abs() < 1e-3, "{by_steps} {exact}");
+}
+
+/// The trace of an impact in a dent ends at the depth of this dent, where the contact has no force.
+#[test]
+fn trace_of_second_impact_ends_at_dent() {
+    let (contact, mut spot) = (Scene::steel().contact(), Spot::new());
+    for speed in [3.0, 1.0, 4.0] {
+        let impact = contact.impact_on(&mut spot, speed, &verlet(50), Some(400)).unwrap();
+        let last = impact.trace.last().unwrap();
+        assert_eq!((last.event, last.force), (Some(Event::Separation), 0.0), "{speed}");
+        assert!(relative_error(last.indentation, impact.row.residual_indentation) < 1e-12, "{speed}: {last:?}");
+        assert!(impact.energy.balance_error < 1e-2, "{speed}: {:e}", impact.energy.balance_error);
+    }
+}
+
 /// A coarse step is an error that the run sees: in its energy, or in what comes back. A contact of less than five steps has no result:
 /// once an e of 5.9 was printed for one step, and 46540 with strong damping.
 #[test]

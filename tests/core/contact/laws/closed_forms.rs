@@ -41,6 +41,17 @@ fn thornton_gives_his_closed_form() {
     }
 }
 
+/// The limit 0.3 of a/R, from which on Hertz's paraboloid is too narrow: δ = 0.09 R by Hertz, and a² = 2 c² R δ with c² = 1.43 of a fully
+/// plastic contact. A law that its authors state only for deeper dents has this limit too.
+#[test]
+fn laws_are_validated_up_to_their_contact_radius() {
+    let of_law = |keys: &[&str]| contact(STEEL, keys).validated_indentation();
+    assert!(relative_error(of_law(&["law=hertz"]), 0.09 * 5e-3) < 1e-12);
+    // plastic until E* a/(σ_Y R) = 50: here 35
+    let deep = of_law(&["law=mesarovic_johnson", "half_space.yield_strength=1 GPa"]);
+    assert!(relative_error(deep, 0.09 * 5e-3 / (2.0 * 1.43)) < 1e-12, "{deep:e}");
+}
+
 /// Johnson (1985), e² = 3.549 (p_d/E*) (m v²/(2 p_d R³))^(−1/4), in the range of the law.
 #[test]
 fn johnson_gives_his_closed_form() {

@@ -28,6 +28,17 @@ fn step_beyond_range_of_law_is_named() {
     ));
 }
 
+/// The force is 0 for δ ≤ 0, also of springs, whose loading begins with a slope.
+#[test]
+fn contact_has_no_stiffness_before_touch() {
+    for law in ["plm", "hertz", "walton_braun", "mesarovic_johnson"] {
+        let contact = contact(STEEL, &[format!("law={law}")]);
+        let stiffness = |indentation| contact.stiffness(indentation, &Memory::default());
+        assert_eq!([-1e-6, 0.0].map(stiffness), [0.0; 2], "{law}");
+        assert!(stiffness(1e-9) > 0.0, "{law}");
+    }
+}
+
 /// A memory that was lost (NaN), or that no contact can have, is not taken for another one; and no indentation spoils a memory
 /// for the steps after it.
 #[test]

@@ -73,6 +73,20 @@ fn overdamped_sphere_sinks_to_static_equilibrium() {
     }
 }
 
+/// The loading curve of Kogut and Etsion has pieces of powers of δ. The time to rest on such a piece is that of fixed steps.
+#[test]
+fn overdamped_sphere_rests_on_piece_of_power() {
+    let forces = Forces { gravity: Some(2000.0), damping: Some(Damping::Viscous(2.0)), ..Forces::default() };
+    let contact = Scene::steel().contact_by(&KogutEtsion::default()).with_forces(forces);
+    let [exact, by_steps] =
+        [solver(Method::Rk8, 1e-10), Solver { steps_per_contact: 500, ..solver(Method::Verlet, 1e-10) }]
+            .map(|solver| contact.impact(1e-3, &solver, None).unwrap());
+    assert_eq!(fate(&exact), ImpactEnd::Captured);
+    let at_rest = exact.forces_result.unwrap().static_indentation.unwrap();
+    assert!(relative_error(exact.row.peak_indentation, 0.999 * at_rest) < 1e-12);
+    assert!(relative_error(by_steps.loading_time, exact.loading_time) < 1e-2, "{}", exact.loading_time);
+}
+
 #[test]
 fn a_creep_has_no_false_turning_point() {
     let refused = Cell::new(0);
