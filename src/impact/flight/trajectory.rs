@@ -104,7 +104,8 @@ impl Flight {
 
     /// Speed downwards \[m/s\], as δ' is.
     pub fn speed_at(&self, time: f64) -> f64 {
-        -self.flying.speed_after(self.speed, time)
+        // 0 at the release, and not -0
+        0.0 - self.flying.speed_after(self.speed, time)
     }
 
     /// The highest point \[m\].
