@@ -117,3 +117,31 @@ fn energy_gain_at_knot_warns() {
     let second = closed_form_on_spot(&contact, &mut spot, speed);
     assert!(second.row.restitution > 1.0 && is_gain(&second), "{}", second.row.restitution);
 }
+
+/// Beyond the old peak force and work grow as on fresh surface, whatever the shape of the pieces of a law.
+#[test]
+fn reloading_continues_on_loading_curve_of_law() {
+    let (sphere, half_space) = Scene::steel().bodies();
+    let bodies = YieldingPair::new(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap();
+    let mut compared = 0;
+    for (name, choice) in super::laws::whole_laws() {
+        let law = choice.as_contact_law().law(&bodies).unwrap();
+        for x in [3.0, 27.0, 160.0, 900.0] {
+            let branch = law.unload(law.loaded_state(x));
+            if law.check(&branch).is_err() {
+                continue;
+            }
+            let dent = law.history_after(branch.peak);
+            let path = Surface::new(&law, Some(&dent)).reloading_path;
+            for deeper in [1.0001, 1.1, 2.3, 40.0].map(|factor| factor * x) {
+                let (force, work) = (law.loading.force(deeper), law.loading.work(deeper) - law.loading.work(x));
+                let about = format!("{name} {x} {deeper}");
+                assert!(relative_error(path.force(deeper), force) < 1e-12, "{about}: {} {force}", path.force(deeper));
+                let got = path.work(deeper) - branch.recoverable_energy();
+                assert!((got - work).abs() < 1e-12 * law.loading.work(deeper), "{about}: {got} {work}");
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared > 40, "{compared}");
+}

@@ -53,6 +53,11 @@ fn outside_its_range_a_law_has_no_answer() {
     assert!(refused("kogut_komvopoulos", 8700.0).unwrap().contains("range of its loading"));
     // loading is stiffer than Hertz, so there is no dent from which the shifted Hertz curve could start
     assert!(refused("stronge + yigit_christoforou", 5.2).is_some());
+    // the same up to x = 64, where the straight loading, 9 c²/C x, is above the curve of Hertz
+    for x in [20.0, 49.0, 60.0] {
+        assert!(refused("mesarovic_johnson + yigit_christoforou", x).unwrap().contains("negative"), "{x}");
+    }
+    assert_eq!(refused("mesarovic_johnson + yigit_christoforou", 80.0), None);
     // the impact returns this error
     let contact = Scene::case_3().contact_by(LawChoice::from_name("mesarovic_johnson").unwrap().as_contact_law());
     assert!(

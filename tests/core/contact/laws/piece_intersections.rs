@@ -1,6 +1,8 @@
 //! Laws whose printed pieces do not meet: for all materials and parameters the force neither jumps nor falls, and it differs
 //! from the printed one by no more than their pages say.
 
+use std::f64::consts::PI;
+
 use super::bodies;
 use crate::common::prelude::*;
 
@@ -71,30 +73,86 @@ fn kogut_etsion_differs_by_8_percent_at_most() {
     assert!(differs(0.9) < 1e-14 && differs(5.0) < 1e-14 && differs(50.0) < 1e-14 && differs(200.0) < 1e-14);
 }
 
+/// The straight line f = p x with p = 8.4/(K H/σ_Y) crosses 1.03 x^1.425 at (p/1.03)^(1/0.425) if it does so behind the start of this
+/// piece, 1.03^(1/0.075) = 1.483. Otherwise it crosses Hertz's curve before, at p².
 #[test]
 fn early_crossing_skips_pieces_between() {
-    // K H = 5 σ_Y: f = 1.68 x meets 1.03 x^1.425 at x = (1.68/1.03)^(1/0.425) = 3.16, before 1.40 x^1.263 does at 6.65
     let bodies = half_space(0.3, 0.002);
-    let law = KogutEtsion { yield_factor: Some(5.0) }.law(&bodies).unwrap();
-    let unit = bodies.yield_indentation_ratio(5.0);
-    let starts: Vec<f64> = law.loading.pieces().iter().map(|piece| piece.start / unit).collect();
-    assert_eq!(starts.len(), 3);
-    assert!((starts[2] - (1.68_f64 / 1.03).powf(1.0 / 0.425)).abs() < 1e-9, "{starts:?}");
+    // p = 1.68, 1.12 (which would cross 1.03 x^1.425 at 1.22), and 8.4/8.3, just beyond first yield
+    for (factor, n_pieces) in [(5.0, 3), (7.5, 2), (8.3, 2)] {
+        let law = KogutEtsion { yield_factor: Some(factor) }.law(&bodies).unwrap();
+        let unit = bodies.yield_indentation_ratio(factor);
+        let starts: Vec<f64> = law.loading.pieces().iter().map(|piece| piece.start / unit).collect();
+        assert_eq!(starts.len(), n_pieces, "{factor}");
+        let slope: f64 = 8.4 / factor;
+        let want = if n_pieces == 3 { (slope / 1.03).powf(1.0 / 0.425) } else { slope * slope };
+        assert!((starts[n_pieces - 1] - want).abs() < 1e-9, "{factor}: {starts:?}");
+        let deep = law.loading.force(100.0 * unit) / unit.powf(1.5);
+        assert!(relative_error(deep, 100.0 * slope) < 1e-12, "{factor}: {deep}");
+    }
+}
+
+/// In shallow contacts Hertz's mean pressure is (2√2/(3π)) s (r'²/(π a²)) σ_Y, so the fit crosses Hertz's curve at one s, and begins there
+/// for every Poisson's ratio.
+#[test]
+fn hertz_crosses_kogut_komvopoulos_at_one_strain() {
+    let excess = |s: f64| (0.70 * s.ln() + 0.66) / (2.193 - 0.394 * s.ln()) - 2.0 * 2_f64.sqrt() / (3.0 * PI) * s;
+    let crossing = (0..60).fold([1.78, 2.5], |[low, high], _| {
+        let middle = 0.5 * (low + high);
+        if excess(middle) > 0.0 { [middle, high] } else { [low, middle] }
+    });
+    for poissons_ratio in [0.0, 0.05, 0.2, 0.3, 0.45] {
+        let bodies = half_space(poissons_ratio, 1e-4);
+        let law = KogutKomvopoulos.law(&bodies).unwrap();
+        // s² = (E*/σ_Y)² δ/(2R)
+        let s = (0.5 * law.loading.pieces()[1].start).sqrt() * bodies.yield_radius_ratio() / bodies.yield_strain();
+        assert!(relative_error(s, crossing[0]) < 1e-6, "{poissons_ratio}: {s} {crossing:?}");
+    }
+}
+
+/// True if the law accepts an impact that turns at x.
+fn accepts(law: &Law, x: f64) -> bool {
+    law.check(&law.unload(law.loaded_state(x))).is_ok()
 }
 
 #[test]
 fn where_nothing_crosses_the_law_has_no_answer() {
-    // C = 3: the fit is below Hertz already before first yield; K H = 9 σ_Y: so is the last piece, f = 0.93 x
-    let bodies = half_space(0.3, 0.002);
-    let laws: [(&dyn ContactLaw, f64); 2] = [
-        (&JacksonGreen { yield_factor: Some(3.0), ..Default::default() }, 3.0),
-        (&KogutEtsion { yield_factor: Some(9.0) }, 9.0),
+    let jackson_green = |yield_factor| JacksonGreen { yield_factor, ..Default::default() };
+    let laws: [(&dyn ContactLaw, f64, f64); 4] = [
+        // C = 3: the fit is below Hertz already before first yield; K H = 9 σ_Y: so is the last piece, f = 0.93 x
+        (&jackson_green(Some(3.0)), 3.0, 0.002),
+        (&KogutEtsion { yield_factor: Some(9.0) }, 9.0, 0.002),
+        // beyond σ_Y/E* = 0.05 the fit has no meaning
+        (&jackson_green(None), 1.295 * (0.736_f64 * 0.3).exp(), 0.06),
+        // C so small that the fit crosses Hertz only in the last half of the depths up to a = R
+        (&jackson_green(Some(0.35)), 0.35, 0.045),
     ];
-    for (law, factor) in laws {
+    for (law, factor, strain) in laws {
+        let bodies = half_space(0.3, strain);
         let law = law.law(&bodies).unwrap();
         let yields = bodies.yield_indentation_ratio(factor);
-        let accepts = |x: f64| law.check(&law.unload(law.loaded_state(x))).is_ok();
-        assert!(accepts(0.99 * yields) && !accepts(1.01 * yields));
+        assert!(
+            accepts(&law, 0.99 * yields) && !accepts(&law, 1.01 * yields) && !accepts(&law, 3.0 * yields),
+            "{factor}"
+        );
+    }
+    let law = jackson_green(None).law(&half_space(0.3, 0.049)).unwrap();
+    assert!(accepts(&law, 3.0));
+}
+
+/// The law ends where the contact is as wide as the sphere, in units of any C.
+#[test]
+fn jackson_green_ends_at_radius_of_sphere() {
+    for (factor, strain) in [(1.2, 0.01), (1.61, 0.004), (1.95, 0.0173)] {
+        let bodies = half_space(0.3, strain);
+        let law = JacksonGreen { yield_factor: Some(factor), ..Default::default() }.law(&bodies).unwrap();
+        let ratio = |x: f64| law.contact_radius(&law.loaded_state(x)) * bodies.yield_radius_ratio();
+        let (mut low, mut high): (f64, f64) = (3.0, 1e7);
+        while high / low > 1.0 + 1e-9 {
+            let middle = (low * high).sqrt();
+            if ratio(middle) < 1.0 { low = middle } else { high = middle }
+        }
+        assert!(accepts(&law, low * (1.0 - 1e-6)) && !accepts(&law, high * (1.0 + 1e-6)), "{factor}: {low}");
     }
 }
 

@@ -65,3 +65,15 @@ fn invalid_memory_yields_nan_and_is_unchanged() {
         }
     }
 }
+
+/// The law itself, with which a contact computes its force: no number for the indentation is no force, and no new memory.
+#[test]
+fn indentation_nan_leaves_memory_of_law() {
+    for (name, choice) in super::whole_laws() {
+        let law = super::law_of(choice.as_contact_law());
+        for memory in [None, Some(law.loaded_state(30.0))] {
+            let (force, after) = law.force_and_memory(f64::NAN, memory);
+            assert!(force.is_nan() && after == memory, "{name}: {force} {after:?}");
+        }
+    }
+}
