@@ -110,6 +110,11 @@ fn radius_ratio_and_exponent_have_their_end_values() {
         assert!(relative_error(deep.geometry_factor_at(radius), want) < 1e-15, "{kappa} {radius}");
         assert_eq!(deep.geometry_factor_at(0.5 * f64::min(radius, 10.5)), 1.0);
     }
+    // a body that yields at a_Y/R = 0.2: G = 1 + 0.25 (A/5 − 0.105 − (0.2 − 0.105)/A)
+    let hard = table.for_contact(0.0, 0.2);
+    for (radius, want) in [(1.0, 1.0), (2.0, 1.061_875), (5.0, 1.219)] {
+        assert!(relative_error(hard.geometry_factor_at(radius), want) < 1e-15, "{radius}");
+    }
     assert_eq!(pressure_shape_exponent(1.0), 1.5);
     // uniform pressure, Λ = 3π/8: n = 3π/4 − 1
     assert!(relative_error(pressure_shape_exponent(3.0 * PI / 8.0), 0.75 * PI - 1.0) < 1e-15);
@@ -145,6 +150,54 @@ fn a_table_without_geometry_is_read() {
         text.lines().filter(|line| !line.starts_with("geometry_slope")).map(|l| l.to_owned() + "\n").collect();
     let radius = PlmCoefficients::from_toml(&older).unwrap().contact_radius.for_contact(0.25, 0.01);
     assert_eq!(radius.geometry_factor_at(1e3), 1.0);
+}
+
+/// A table may have the coefficient 0: then the first slope is the same for every κ.
+#[test]
+fn first_slope_may_be_independent_of_kappa() {
+    let table = changed(|table| table.elastic_approach.first_slope_kappa_squared = 0.0);
+    table.check().unwrap();
+    for modulus in [70e9, 210e9, 600e9] {
+        let scene = Scene { sphere: Material { youngs_modulus: modulus, ..Scene::steel().sphere }, ..Scene::steel() };
+        let contact = scene.contact_by(&Plm::new(&table, UnloadingExponent::Paper));
+        let (_, law, _) = contact.scaling(1.0).unwrap();
+        // ε = 1 + 1.62 (A − 1) with A = f/ε, before the contact is fully plastic
+        let ContactState { force, elastic_approach, .. } = law.loaded_state(1.9);
+        let want = 1.0 + 1.62 * (force / elastic_approach - 1.0);
+        assert!(relative_error(elastic_approach, want) < 1e-13, "{modulus}: {elastic_approach} {want}");
+    }
+}
+
+/// The factor for a Poisson's ratio is 1 at the first knot. So it does not change the force of a table with one knot.
+#[test]
+fn single_slope_fits_every_poissons_ratio() {
+    let single = changed(|table| {
+        table.depth = None;
+        table.force.from.truncate(1);
+        table.force.slope.truncate(1);
+        table.force.slope_kappa_squared.truncate(1);
+    });
+    single.check().unwrap();
+    let scene = Scene { half_space: Material { poissons_ratio: 0.1, ..Scene::steel().half_space }, ..Scene::steel() };
+    let pair = *scene.contact().pair();
+    let force = |table: &PlmCoefficients| table.law(&pair, 0.01, UnloadingExponent::Paper).loading.force(10.0);
+    let plain = PlmCoefficients { poisson: None, ..single.clone() };
+    assert_eq!(force(&single), force(&plain));
+}
+
+/// If the knots of a table change after a law was made with it, the next law has the new knots.
+#[test]
+fn used_table_follows_changed_knots() {
+    let scene = Scene { half_space: Material { poissons_ratio: 0.1, ..Scene::steel().half_space }, ..Scene::steel() };
+    let pair = *scene.contact().pair();
+    let force = |table: &PlmCoefficients| table.law(&pair, 0.01, UnloadingExponent::Paper).loading.force(100.0);
+    let mut used = PlmCoefficients::from_toml(include_str!("../../../src/contact/law/plm/coefficients.toml")).unwrap();
+    let mut fresh = used.clone();
+    force(&used);
+    for table in [&mut used, &mut fresh] {
+        table.force.from[0] = 1.5;
+    }
+    assert_eq!(force(&used), force(&fresh));
 }
 
 /// A table without the corrections for Poisson's ratio and depth is the law without them to the last bit, and so is one with zeros.
@@ -190,6 +243,182 @@ fn impacts_see_the_curve_that_they_reach() {
         if whole.unloading.peak.indentation < from { shallow += 1 } else { deep += 1 }
     }
     assert!(shallow > 20 && deep > 5, "{shallow} {deep}");
+}
+
+/// D: the part of the yielding that is in the half-space; of two balls, the part in the larger one times the difference of the radii over
+/// their sum.
+fn depth_share(sphere: &Sphere, half_space: &HalfSpace, of_sphere: f64) -> f64 {
+    let Some(radius) = half_space.radius else { return 1.0 - of_sphere };
+    let of_larger = if radius > sphere.radius { 1.0 - of_sphere } else { of_sphere };
+    of_larger * (radius - sphere.radius).abs() / (radius + sphere.radius)
+}
+
+/// Force and elastic approach of deep dents by the formulas of `depth.rs`, from those of a table without depth: at every knot, also
+/// beyond δ/R = 0.2, where y is constant. The bodies are a half-space that yields early, late (beyond the start of the correction) or
+/// together with the sphere, a sphere that yields alone, and two balls, of which either is the larger one.
+#[test]
+fn deep_dent_follows_formulas_from_shallow_one() {
+    let contacts: [&[&str]; 8] = [
+        &["half_space.yield_strength=345 MPa"],
+        &["half_space.yield_strength=2 GPa"],
+        &["half_space.yield_strength=9 GPa"],
+        &["half_space.yield_strength=15 GPa"],
+        &["half_space.yield_strength=1.5 GPa", "sphere.yield_strength=1.5 GPa"],
+        &["half_space.yield_strength=900 MPa", "sphere.yield_strength=200 MPa"],
+        &["half_space.radius=3 mm", "half_space.yield_strength=1 GPa", "sphere.yield_strength=1.1 GPa"],
+        &["half_space.radius=8 mm", "half_space.yield_strength=1 GPa", "sphere.yield_strength=1.1 GPa"],
+    ];
+    let shallow_table = changed(|table| table.depth = None);
+    let (mut changed_points, mut constant_points) = (0, 0);
+    for keys in contacts {
+        let input = scene(STEEL, keys);
+        let (sphere, half_space) = (input.sphere(), input.half_space());
+        let bodies = YieldingPair::new(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap();
+        let partition = bodies.yield_point.yield_partition;
+        let share = depth_share(&sphere, &half_space, partition.sphere_share);
+        let (kappa, plastic_from) = (partition.elastic_share, 1.0 + 7.6 * partition.plastic_share);
+        let ratio = bodies.yield_radius_ratio();
+        let law = |table: &PlmCoefficients| Plm::new(table, UnloadingExponent::Paper).law(&bodies).unwrap();
+        let shallow = law(&shallow_table);
+        // A, without the flat of a sphere
+        let without_flat = shallow_table.law(&bodies.pair, ratio, UnloadingExponent::Paper);
+        let equivalent = |x: f64| without_flat.loaded_state(x).force / without_flat.loaded_state(x).elastic_approach;
+        let y = |x: f64| {
+            let depth = (x * ratio * ratio).min(0.2);
+            let plastic = 1.0 - plastic_from / equivalent(depth / (ratio * ratio));
+            share * (depth - 0.035).max(0.0) * plastic.max(0.0)
+        };
+        // also with some numbers of the correction at 0
+        for (of_force, of_recovery, of_radius) in
+            [(0.55, 1.4, 0.14), (0.55, 1.4, 0.0), (0.55, 0.0, 0.0), (0.0, 1.4, 0.0)]
+        {
+            let deep = law(&changed(|table| {
+                let depth = table.depth.as_mut().unwrap();
+                (depth.force, depth.recovery, depth.radius) = (of_force, of_recovery, of_radius);
+            }));
+            let knots = [&deep, &shallow].map(|law| law.loading.pieces()).into_iter().flatten();
+            for x in knots.map(|piece| piece.start).filter(|x| *x > 1.7) {
+                let [state, base] = [&deep, &shallow].map(|law| law.loaded_state(x));
+                let about = format!("{keys:?} {of_force} {of_recovery} {x}: {} {}", state.force, base.force);
+                assert!(relative_error(state.force * (1.0 + of_force * y(x)), base.force) < 1e-12, "{about}");
+                let approach = base.elastic_approach * (1.0 + of_recovery * (0.75 - kappa) * y(x));
+                assert!(relative_error(state.elastic_approach, approach.min(x)) < 1e-12, "{about}");
+                changed_points += usize::from(y(x) > 0.0);
+                constant_points += usize::from(x * ratio * ratio > 0.2 && y(x) > 0.0);
+            }
+        }
+    }
+    assert!(changed_points > 500 && constant_points > 50, "{changed_points} {constant_points}");
+}
+
+/// A half-space so hard that the correction would begin before the first knot: no two pieces begin at one x, so every method passes the
+/// knot as the closed form does.
+#[test]
+fn hard_half_space_is_integrated_beyond_first_knot() {
+    let contact = Scene { yield_strength: Some(9e9), ..Scene::steel() }.contact();
+    let exact = contact.closed_form(300.0).unwrap();
+    let a_y = contact.pair().yield_point.unwrap().contact_radius / contact.pair().radius;
+    assert!(0.035 < 1.7 * a_y * a_y && exact.row.peak_indentation > 0.2 * contact.pair().radius);
+    for (method, factor) in STEPPING {
+        let stepped = contact.impact(300.0, &solver(method, 1e-10), None).unwrap();
+        let error = max_relative_error(&stepped, &exact);
+        assert!(error < factor * 1e-10, "{}: {error:e}", method.name());
+    }
+}
+
+/// Behind another loading A is the force of this loading over the elastic approach that the law of shallow dents has at this force, and
+/// where the elastic approach is measured, the force over this elastic approach. The exponent is that of the pressure's shape at this A.
+#[test]
+fn recovery_behind_other_loading_follows_its_force() {
+    // Λ rises over all dents
+    let table = changed(|table| table.contact_radius.from = vec![1.5, 4.0, 80.0]);
+    let shallow_table = PlmCoefficients { depth: None, ..table.clone() };
+    let exponent_at = |equivalent: f64| pressure_shape_exponent(table.contact_radius.pressure_shape_at(equivalent));
+    let mut deepest: f64 = 0.0;
+    for strength in [345e6, 3e9] {
+        let (sphere, half_space) = Scene { yield_strength: Some(strength), ..Scene::steel() }.bodies();
+        let bodies = YieldingPair::new(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap();
+        let [deep, shallow] = [&table, &shallow_table]
+            .map(|table| Plm::new(table, UnloadingExponent::PressureShape).build_parts(&bodies));
+        let square = bodies.yield_radius_ratio().powi(2);
+        for (x, share) in [2.0, 12.0, 40.0].into_iter().flat_map(|x| [0.9, 1.05].map(|share| (x, share))) {
+            let force = share * shallow.loading.as_ref().unwrap().curve.force(x);
+            let at = |elastic_approach| published::LoadedState {
+                indentation: x,
+                force,
+                contact_radius: x.sqrt(),
+                elastic_approach,
+                loading_work: f64::INFINITY,
+            };
+            let base = (shallow.recovery)(at(None)).elastic_approach;
+            // κ = 1/2, A_fp = 1 + 7.6/2
+            let y = (x * square - 0.035).max(0.0) * (1.0 - 4.8 / (force / base)).max(0.0);
+            deepest = deepest.max(y);
+            let measured = 0.8 * base;
+            for (known, approach, equivalent) in [
+                (None, (base * (1.0 + 1.4 * 0.25 * y)).min(x), force / base),
+                (Some(measured), measured, force / measured),
+            ] {
+                let Recovery { elastic_approach, shape } = (deep.recovery)(at(known));
+                let UnloadingShape::Power(n) = shape else { panic!("{shape:?}") };
+                let want = exponent_at(equivalent);
+                assert!(relative_error(elastic_approach, approach) < 1e-12, "{strength} {x} {share} {known:?}");
+                assert!(relative_error(n, want) < 1e-12, "{strength} {x} {share} {known:?}: {n} {want}");
+            }
+        }
+    }
+    assert!(deepest > 0.01, "{deepest}");
+}
+
+/// A heavy sphere that is slow at first touch goes deep by its weight: at its peak it has the force that the contact has at this
+/// indentation.
+#[test]
+fn slow_heavy_sphere_sees_deep_curve() {
+    let soft = Material { youngs_modulus: 100e6, poissons_ratio: 0.3 };
+    let scene = Scene { radius: 1.0, half_space: soft, yield_strength: Some(400e3), ..Scene::steel() };
+    let contact = scene.contact().with_forces(Forces { gravity: Some(9.81), ..Forces::default() });
+    for method in [Method::ClosedForm, Method::Rk8] {
+        let impact = contact.impact(0.1, &solver(method, 1e-11), None).unwrap();
+        assert!(impact.row.peak_indentation > 0.08, "{}", impact.row.peak_indentation);
+        let force = contact.force(impact.row.peak_indentation, &mut Memory::default());
+        assert!(
+            relative_error(impact.row.peak_force, force) < 1e-9,
+            "{}: {} {force}",
+            method.name(),
+            impact.row.peak_force
+        );
+    }
+}
+
+/// The contact of a convex wall that hardens is narrower by the factor 1 + 0.14 D (â/R − 0.4), with D = (R_h − R_s)/(R_h + R_s) and
+/// â = 3F/(4E* δ_e) of the law without depth. The wall without its flat is a flat half-space that a sphere of the effective radius hits.
+#[test]
+fn convex_hardening_wall_narrows_contact_by_share() {
+    let keys =
+        ["half_space.flow_stress.power.exponent=0.2", "half_space.yield_strength=600 MPa", "half_space.radius=20 mm"];
+    let flat = ["half_space.flow_stress.power.exponent=0.2", "half_space.yield_strength=600 MPa", "sphere.radius=4 mm"];
+    let law = |keys: &[&str], table: &PlmCoefficients| {
+        let input = scene(STEEL, keys);
+        let bodies = YieldingPair::new(&Pair::try_new(&input.sphere(), &input.half_space()).unwrap()).unwrap();
+        let flow = [None, Some(FlowCurve::Power { exponent: 0.2 })];
+        let law = Plm { flow, ..Plm::new(table, UnloadingExponent::Paper) }.law(&bodies).unwrap();
+        (law, bodies.yield_radius_ratio())
+    };
+    let (narrower, ratio) = law(&keys, PlmCoefficients::built_in());
+    let (plain, _) = law(&keys, &changed(|table| table.depth.as_mut().unwrap().radius = 0.0));
+    let (without_flat, same_ratio) = law(&flat, &changed(|table| table.depth = None));
+    assert!(relative_error(same_ratio, ratio) < 1e-14);
+    let mut narrowed = 0;
+    for i in 1..30 {
+        let x = 0.01 * f64::from(i) / (ratio * ratio);
+        let [with, without] = [&narrower, &plain].map(|law| law.contact_radius(&law.loaded_state(x)));
+        let of_half_space = without_flat.loaded_state(x);
+        let hertzian = of_half_space.force / of_half_space.elastic_approach * ratio;
+        let want = 1.0 + 0.14 * 0.6 * (hertzian - 0.4).max(0.0);
+        assert!(relative_error(without / with, want) < 1e-12, "{i}: {} {want}", without / with);
+        narrowed += usize::from(want > 1.005);
+    }
+    assert!(narrowed > 5, "{narrowed}");
 }
 
 #[test]

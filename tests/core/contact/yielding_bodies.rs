@@ -188,6 +188,28 @@ fn impacts_before_change_no_bit_of_an_impact() {
     }
 }
 
+/// The flat makes a contact softer by a factor that stays constant after a/R has reached 0.6.
+#[test]
+fn wide_flat_softens_by_constant_factor() {
+    let input = scene(STEEL, &["sphere.yield_strength=1 GPa", "half_space.yield_strength=none"]);
+    let bodies = YieldingPair::new(&Pair::try_new(&input.sphere(), &input.half_space()).unwrap()).unwrap();
+    let (table, ratio) = (PlmCoefficients::built_in(), bodies.yield_radius_ratio());
+    let law = Plm::default().law(&bodies).unwrap();
+    // the wall stays elastic, so it has no correction for deep dents
+    let unflattened =
+        PlmCoefficients { depth: None, ..table.clone() }.law(&bodies.pair, ratio, UnloadingExponent::Paper);
+    let factor = |x: f64| unflattened.loading.force(x) / law.loading.force(x);
+    let is_wide = |x: &f64| law.contact_radius(&law.loaded_state(*x)) * ratio > 0.6;
+    let wide: Vec<f64> = unflattened.loading.pieces().iter().map(|piece| piece.start).filter(is_wide).collect();
+    assert!(wide.len() >= 2, "{wide:?}");
+    let from = (0..400).map(|i| 1.05_f64.powi(i)).find(is_wide).unwrap();
+    for x in wide.iter().copied().chain([1e4, 1e5]) {
+        assert!(relative_error(factor(x), factor(wide[0])) < 1e-12, "{x}: {} {}", factor(x), factor(wide[0]));
+    }
+    // and it rises up to there
+    assert!(factor(0.5 * from) < 0.99 * factor(from) && factor(from) > 1.1, "{} {}", factor(0.5 * from), factor(from));
+}
+
 /// With coefficients that make a deep contact so narrow that a/R never reaches 0.6, the curve ends where the indentation is R.
 #[test]
 fn curve_of_narrow_flat_has_an_end() {

@@ -67,6 +67,18 @@ fn it_does_not_matter_which_ball_is_hit() {
     }
 }
 
+/// The larger ball has the correction for deep dents, also where it is the one that hits.
+#[test]
+fn hard_hit_is_symmetric_in_the_balls() {
+    let (one, other) = ((5e-3, 345e6, 210e9), (3e-3, 360e6, 210e9));
+    let [ab, ba] = [(one, other), (other, one)].map(|(a, b)| balls(a, b, UnloadingExponent::PressureShape));
+    for speed in [30.0, 60.0] {
+        let [ab, ba] = [&ab, &ba].map(|contact| contact.closed_form(speed).unwrap());
+        assert!(ab.row.radius_ratio > 0.3, "{speed}: {}", ab.row.radius_ratio);
+        assert!(relative_error(ab.row.restitution, ba.row.restitution) < 1e-12 && max_relative_error(&ab, &ba) < 1e-12);
+    }
+}
+
 #[test]
 fn a_hollow_needs_room_for_the_sphere() {
     let (sphere, half_space) = Scene::steel().bodies();

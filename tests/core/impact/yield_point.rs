@@ -115,6 +115,18 @@ fn indentation_and_impact_have_equal_contact_radius() {
             }
         }
     }
+    // a ball that yields, far stiffer than the wall
+    let keys = ["half_space.youngs_modulus=3 GPa", "half_space.yield_strength=none", "sphere.yield_strength=50 MPa"];
+    let contact = contact(STEEL, &keys);
+    let slow = StaticContact::try_new(contact.sphere(), contact.half_space(), &Plm::default()).unwrap();
+    for ratio in [0.1, 0.5, 0.99] {
+        let impact = contact.closed_form(ratio * contact.yield_speed().unwrap()).unwrap();
+        let step = slow.indent(&[indentation::SetPoint::Load(impact.row.peak_force)], None).unwrap().steps[0];
+        let hertz = (5e-3 * impact.row.peak_indentation).sqrt();
+        for radius in [impact.row.peak_contact_radius, step.peak.contact_radius] {
+            assert!(relative_error(radius, hertz) < 1e-12, "{ratio}: {radius} {hertz}");
+        }
+    }
 }
 
 /// A golf ball on steel would yield at 101 km/s, where the contact would be far wider than the ball: this is no result.
