@@ -203,3 +203,29 @@ fn old_branch_meets_far_stronger_loading() {
         assert!(got > 1.1 * first.row.peak_indentation && relative_error(got, meets) < 1e-13, "{slow}: {got} {meets}");
     }
 }
+
+/// On a plate the impulse of the force is the change of the momentum, and the energy stays, where the branch of a much faster impact ends
+/// above the loading curve of a slower, heavier sphere, and the force drops.
+#[test]
+fn plate_keeps_momentum_where_force_drops() {
+    let keys = [
+        "half_space.density=7850",
+        "half_space.thickness=40 mm",
+        "half_space.rate.cowper_symonds.rate=40",
+        "half_space.rate.cowper_symonds.exponent=2",
+    ];
+    let light = contact(crate::common::STEEL, &keys);
+    let heavy = contact(crate::common::STEEL, &[&keys[..], &["sphere.density=7.85e7"]].concat());
+    let mut spot = Spot::new();
+    let first = light.impact_on(&mut spot, 10.0, &solver(Method::Rk8, 1e-11), None).unwrap();
+    let again = heavy.impact_on(&mut spot, 0.1, &solver(Method::Rk8, 1e-11), Some(10_001)).unwrap();
+    assert!(again.row.residual_indentation > 1.5 * first.row.residual_indentation);
+    let rows = again.trace.windows(2);
+    let ends = |two: &&[TraceRow]| two[0].branch == Branch::Reloading && two[1].branch == Branch::Plastic;
+    let [end, start] = rows.clone().find(ends).unwrap() else { panic!() };
+    assert!(start.force < 0.8 * end.force, "{} {}", start.force, end.force);
+    let impulse: f64 = rows.map(|two| (two[1].time - two[0].time) * 0.5 * (two[0].force + two[1].force)).sum();
+    let momentum = heavy.mass() * (0.1 + again.rebound_speed);
+    assert!(relative_error(impulse, momentum) < 1e-4, "{impulse} {momentum}");
+    assert!(again.energy.balance_error < 1e-9, "{}", again.energy.balance_error);
+}
