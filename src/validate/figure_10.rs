@@ -109,6 +109,8 @@ mod tests {
             let cycle = find(case, run, number).unwrap();
             let (peak, laws) = unloading_branches(&bodies, cycle);
             assert!(laws.len() >= 10, "{}", laws.len());
+            // whose own unloading is not public
+            assert!(laws.iter().all(|(name, _)| name != "kogut_komvopoulos"));
             let (_, plm) = laws.iter().find(|(name, _)| name == "plm").unwrap();
             let e = (plm.stored_energy(peak.indentation) / peak.loading_work).sqrt();
             let off = e / cycle.row.number("restitution") - 1.0;

@@ -270,6 +270,11 @@ mod tests {
         {
             assert!(points(&list).is_err(), "{list:?}");
         }
+        // nor do stresses that are not positive
+        for stress in [0.0, -1.0] {
+            let refused = Err(FlowError::Falls { place: 1, before: 0.0, stress });
+            assert_eq!(points(&[(0.01, stress), (0.02, 3e8)]), refused);
+        }
         let later = points(&[(0.002, 300e6), (0.01, 340e6)])?;
         assert_eq!((later.check_start(280e6), later.check_start(300e6)), (Ok(()), Ok(())));
         let at_once = points(&[(0.0, 300e6), (0.01, 340e6)])?;

@@ -76,6 +76,10 @@ mod tests {
         };
         // (1 + 0.014 ln 1000)/(1 − 0.014 ln 1000) by hand
         assert_relative_eq!(cook(0.014, 1e-3).factor(1e3), 1.214_124_857_409_328, max_relative = 1e-12);
+        // at a reference rate of 100 1/s: (1 + 0.014 ln 10)/(1 − 0.014 ln 100000)
+        let form = RateForm::JohnsonCook { c: 0.014, reference: 100.0 };
+        let factor = StrainRateHardening { form, test_rate: 1e-3 }.factor(1e3);
+        assert_relative_eq!(factor, 1.230_582_685_637_024, max_relative = 1e-12);
         let cowper =
             StrainRateHardening { form: RateForm::CowperSymonds { rate: 6844.0, exponent: 2.0 }, test_rate: 6844.0 };
         assert_relative_eq!(cowper.factor(4.0 * 6844.0), 1.5, max_relative = 1e-15);
