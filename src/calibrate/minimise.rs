@@ -133,9 +133,10 @@ pub fn find_minima<O: Objective>(whole: &O, subsampled: &O, ranges: &[ShareRange
         ranges[key] = ShareRange::with_share(share);
         ranges
     };
-    let nodes = ranges[key].nodes();
-    let sums: Vec<f64> =
-        nodes.par_iter().map(|share| profile_minimum(subsampled, subsampled, &with(*share)).sum).collect();
+    let sum_at = |share: &f64| profile_minimum(subsampled, subsampled, &with(*share)).sum;
+    let mut nodes = ranges[key].nodes();
+    let mut sums: Vec<f64> = nodes.par_iter().map(sum_at).collect();
+    split_equal_pairs(&mut nodes, &mut sums, sum_at);
     let place = |share: f64| profile_minimum(whole, subsampled, &with(share));
     let bottom = |[first, last]: [usize; 2]| {
         let [before, after] = [first.saturating_sub(1), (last + 1).min(nodes.len() - 1)].map(|at| nodes[at]);
@@ -165,6 +166,23 @@ pub fn find_minima<O: Objective>(whole: &O, subsampled: &O, ranges: &[ShareRange
         }
     }
     apart.into_iter().map(|(_, place)| place).collect()
+}
+
+/// Two neighbouring nodes with equal sums lie on a plateau, or on both sides of a minimum or a maximum. The middle between them
+/// decides: it becomes a node if its sum is another one. More than two nodes with equal sums are a plateau.
+fn split_equal_pairs(nodes: &mut Vec<f64>, sums: &mut Vec<f64>, sum_at: impl Fn(&f64) -> f64) {
+    let mut pairs = basins(sums);
+    pairs.retain(|[first, last]| last - first == 1);
+    // the last pair first, because a new node shifts all nodes after it
+    pairs.sort_unstable_by(|a, b| b.cmp(a));
+    for [first, last] in pairs {
+        let middle = 0.5 * (nodes[first] + nodes[last]);
+        let sum = sum_at(&middle);
+        if !is_equal_within_rounding(sum, sums[first]) {
+            nodes.insert(last, middle);
+            sums.insert(last, sum);
+        }
+    }
 }
 
 /// The first and the last node with the lowest objective in each basin. The lowest basin comes first.
@@ -227,4 +245,73 @@ fn brent(
         }
     }
     best.1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Objective, ShareRange, find_minima};
+    use crate::numerics::functions::powi;
+
+    struct Function(fn(f64) -> f64);
+
+    impl Objective for Function {
+        fn objective(&self, shares: &[f64]) -> f64 {
+            (self.0)(shares[0])
+        }
+
+        fn n_values(&self) -> usize {
+            1
+        }
+    }
+
+    /// Asserts that the minima of this function from 0 to 1 are these.
+    fn assert_minima(function: fn(f64) -> f64, wanted: &[f64]) {
+        let function = Function(function);
+        let minima = find_minima(&function, &function, &[ShareRange::WHOLE], 1e-9);
+        let mut shares: Vec<f64> = minima.iter().map(|place| place.shares[0]).collect();
+        shares.sort_by(f64::total_cmp);
+        let is_close = |(share, wanted): (&f64, &f64)| (share - wanted).abs() < 1e-6;
+        assert!(shares.len() == wanted.len() && shares.iter().zip(wanted).all(is_close), "{shares:?}, not {wanted:?}");
+    }
+
+    /// The distance between the middle of the range and the nodes beside it, which have equal sums below.
+    const HALF_CELL: f64 = 1.0 / 128.0;
+
+    #[test]
+    fn minimum_between_equal_nodes_is_found() {
+        assert_minima(|x| powi(x - 0.5, 2), &[0.5]);
+        // equal nodes at the lower end of the range
+        assert_minima(|x| powi(x - 0.5 * HALF_CELL, 2), &[0.5 * HALF_CELL]);
+        // a flat bottom narrower than a cell: the middle is the start of the search, which ends at one end of the bottom
+        let flat = |x: f64| ((x - 0.5).abs() - 0.5 * HALF_CELL).max(0.0);
+        let place = find_minima(&Function(flat), &Function(flat), &[ShareRange::WHOLE], 1e-9).remove(0);
+        assert_eq!(place.sum, 0.0);
+    }
+
+    #[test]
+    fn equal_nodes_beside_maximum_are_two_minima() {
+        const OUTSIDE: f64 = 1.6 * HALF_CELL;
+        const BETWEEN: f64 = 0.8 * HALF_CELL;
+        assert_minima(|x| powi(powi(x - 0.5, 2) - OUTSIDE * OUTSIDE, 2), &[0.5 - OUTSIDE, 0.5 + OUTSIDE]);
+        assert_minima(|x| powi(powi(x - 0.5, 2) - BETWEEN * BETWEEN, 2), &[0.5 - BETWEEN, 0.5 + BETWEEN]);
+    }
+
+    #[test]
+    fn search_on_plateau_ends_where_it_ends() {
+        assert_minima(|x| (x - 0.3).max(0.0), &[0.3]);
+        assert_minima(|x| (0.7 - x).max(0.0), &[0.7]);
+        // two nodes on it
+        assert_minima(|x| ((x - 0.501).abs() - 0.011).max(0.0), &[0.49]);
+    }
+
+    /// A function that is 1 from 0.3 to 0.588 and rises below. It has a dip between 0.588 and the next node.
+    fn plateau_with_dip(x: f64) -> f64 {
+        1.0 + (0.3 - x).max(0.0) + if x > 0.588 { 1000.0 * powi(x - 0.593, 2) - 0.025 } else { 0.0 }
+    }
+
+    #[test]
+    fn minimum_beside_plateau_is_found() {
+        assert_minima(plateau_with_dip, &[0.593]);
+        assert_minima(|x| plateau_with_dip(1.0 - x), &[0.407]);
+    }
 }

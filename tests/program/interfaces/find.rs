@@ -126,6 +126,16 @@ fn all_solutions_are_found() {
     }
 }
 
+/// An impact that slides to its end has the impulse ratio μ. The nodes of the range lie on both sides of its middle, with equal distances
+/// from the wanted value.
+#[test]
+fn solution_in_the_middle_of_the_range_is_found() {
+    let desk = Sandbox::with(format!("{STEEL}angle = \"70 deg\"\n[friction]\ncoefficient = 0.3\n"));
+    let key = ["friction.coefficient", "s.toml", "--impulse-ratio", "0.1", "--from", "0", "--to", "0.2"];
+    let found = solution(&desk, &key);
+    assert!(relative_error(number(&found, "friction_coefficient"), 0.1) < 1e-9, "{found}");
+}
+
 /// Below the yield speed every impact is elastic.
 #[test]
 fn constant_result_gives_a_part_of_the_range() {
