@@ -180,6 +180,38 @@ fn two_materials_in_one_file_are_two_basins() {
     assert!(interval["low"].as_f64().unwrap() > 190e6 && interval["high"].as_f64().unwrap() < 210e6, "{interval}");
 }
 
+/// Every impact of one material is an outlier for the other material, and adds 2 (4 + 1) ln(1/sd) to the sum of Student's distribution
+/// with 4 degrees of freedom. So a noise that is 2 % larger at eight impacts makes the sum of this material 80 ln 1.02 = 1.58 larger. An
+/// interval has all materials whose sum is larger by less than 1 (68 %) or 3.84 (95 %).
+#[test]
+fn interval_includes_second_basin_below_its_level() {
+    let data = restitution_over_speed(
+        "[sweep]\n\"half_space.yield_strength\" = [2e8, 8e8]\n\"impact.speed\" = { logspace = [0.5, 5], points = 8 }\n",
+    );
+    let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}robust = \"student-t\""));
+    let (soft, hard) = (200e6, 800e6);
+    for (deviations, of_68, of_95) in [
+        ([0.001, 0.00102], [soft, soft], [soft, hard]),
+        ([0.00102, 0.001], [hard, hard], [soft, hard]),
+        ([0.001, 0.001], [soft, hard], [soft, hard]),
+    ] {
+        let of_line = |(line, text): (usize, &str)| match line {
+            0 => format!("{text},restitution_sd\n"),
+            _ => format!("{text},{}\n", deviations[(line - 1) / 8]),
+        };
+        let data: String = data.lines().enumerate().map(of_line).collect();
+        let (_, summary) = run_calibration(&text, &data, &[], 3);
+        for (name, wanted) in [("interval_68", of_68), ("interval_95", of_95)] {
+            for (bound, wanted) in bounds(&summary["keys"][0][name]).into_iter().zip(wanted) {
+                assert_close(bound, wanted, 0.004);
+            }
+        }
+        let excess = summary["minima"][1]["excess"].as_f64().unwrap();
+        let expected = 80.0 * f64::ln(deviations[1] / deviations[0]).abs();
+        assert!((excess - expected).abs() < 1e-3, "{excess} {expected}");
+    }
+}
+
 #[test]
 fn outliers_shift_robust_estimate_below_one_sd() {
     let outliers = restitutions().replace("0.5,0.6623", "0.5,0.95").replace("4,0.4871", "4,0.80");

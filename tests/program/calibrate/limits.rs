@@ -137,6 +137,49 @@ fn region_of_two_keys_reflects_few_values() {
     assert!(free.len() > 20 && free.iter().all(|rise| (rise / 38.0 - 1.0).abs() < 0.01), "{free:?}");
 }
 
+/// The region ends where the range of a key ends.
+#[test]
+fn region_of_two_keys_stays_within_ranges() {
+    let free = super::fits::BOTH.replace("3 GPa", "350 MPa").replace("500 GPa", "210 GPa");
+    let text = scenario(&format!("data = \"d.csv\"\n{free}noise = {{ restitution = 0.01 }}"));
+    let measured = CalibrationTask::new(&read(&text, NO_OVERRIDES).with_data(super::table::data("synthetic"))).unwrap();
+    let progress = Progress::default();
+    let found = measured.calibrate(&progress).unwrap();
+    let outline = found.fit.region(0.95).remove(0);
+    for key in 0..2 {
+        let shares: Vec<f64> = outline.iter().map(|place| place[key]).collect();
+        assert!(shares.iter().all(|share| (0.0..=1.0 + 1e-9).contains(share)), "{shares:?}");
+        assert!(shares.iter().any(|share| *share > 1.0 - 1e-9), "{shares:?}");
+    }
+}
+
+/// Two of ten impacts are of a harder material. The sum at the minimum of these two is more than 5.99 larger, the quantile of chi-square with
+/// 2 degrees of freedom, so the region of 95 % lies around the other minimum alone.
+#[test]
+fn region_of_two_keys_leaves_out_worse_minimum() {
+    let mut data = "speed_m_per_s,restitution,peak_force_N\n".to_owned();
+    for (strength, impacts) in [(200e6, 8), (800e6, 2)] {
+        let steel = crate::common::contact(crate::common::STEEL, &[format!("half_space.yield_strength={strength}")]);
+        for i in 0..impacts {
+            let speed = 0.5 * 10_f64.powf(f64::from(i) / 7.0);
+            let row = steel.closed_form(speed).unwrap().row;
+            writeln!(data, "{speed},{},{}", row.restitution, row.peak_force).unwrap();
+        }
+    }
+    let noise = "noise = { restitution = 0.002, peak_force = \"2 N\" }\nrobust = \"student-t\"";
+    let text = scenario(&format!("data = \"d.csv\"\n{}{noise}", super::fits::BOTH));
+    let measured = CalibrationTask::new(&read(&text, NO_OVERRIDES).with_data(data)).unwrap();
+    let progress = Progress::default();
+    let found = measured.calibrate(&progress).unwrap();
+    let excess: Vec<f64> = found.fit.minima.iter().map(|place| place.sum - found.fit.best().sum).collect();
+    assert!(excess.len() == 2 && excess[1] > 5.991_464_547, "{excess:?}");
+    let outlines = found.fit.region(0.95);
+    assert_eq!(outlines.len(), 1);
+    let best = &found.fit.best().shares;
+    let distance = |place: &[f64; 2]| (place[0] - best[0]).abs().max((place[1] - best[1]).abs());
+    assert!(outlines[0].iter().all(|place| distance(place) < 0.05), "{outlines:?} {best:?}");
+}
+
 /// Two materials in turn, at more than 1000 impacts: every second impact is of one of them, but the subsample has both. The order of the
 /// lines does not change the result.
 #[test]

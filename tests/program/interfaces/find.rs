@@ -166,6 +166,10 @@ fn constant_result_gives_a_part_of_the_range() {
     // the whole range
     let no_dent = ["impact.speed", "s.toml", "--dent-depth", "0", "--from", "1 mm/s", "--to", "2 mm/s"];
     assert_eq!(solution(&desk, &no_dent)["impact_speed_m_per_s_interval"], json!([0.001, 0.002]));
+    // e is the root of the ratio of the stiffnesses at every speed
+    let desk = Sandbox::with(format!("{STEEL}[law.walton_braun]\nstiffness_ratio = 0.81\n"));
+    let found = solution(&desk, &["impact.speed", "s.toml", "--restitution", "0.9", "--from", "1", "--to", "10"]);
+    assert_eq!(found["impact_speed_m_per_s_interval"], json!([1.0, 10.0]), "{found}");
 }
 
 /// The energy m v^2/2 of 1 g at 3 m/s is 4.5 mJ.
