@@ -262,7 +262,7 @@ fn reason_without_interval(fit: &Fit, identifiability: Option<&Identifiability>)
         let free = problem.free[0];
         let [low, high] = [low, high].map(|share| free.format_value(free.value_at_share(share), 4));
         return Some(format!(
-            "every {} from {low} to {high} fits equally well, because the impacts are then elastic. Measure at higher speeds.",
+            "every {} from {low} to {high} fits equally well: this key does not change the predictions there. If the impacts stay elastic, measure at higher speeds. Otherwise measure another quantity, or fix the key at its known value.",
             free.key.path()
         ));
     }
