@@ -144,6 +144,8 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judgement {
     let (Some(mu), Some(rebound)) = (run.approach.friction, run.impact.row.rebound) else { return Ok(false) };
     let (impact, friction) = (&run.impact, run.impact.oblique.unwrap());
     let rounding = 1e-12 * friction.kinetic_in;
+    let kinetic = 0.5 * run.contact.reduced_mass() * run.approach.speed().powi(2);
+    assert_close("loss fraction", rebound.loss_fraction * kinetic, friction.loss, 1e-12 * friction.loss.abs())?;
     assert_close("friction", friction.recovered + friction.loss, friction.kinetic_in, rounding)?;
     prop_assert!((-rounding..=friction.kinetic_in + rounding).contains(&friction.loss), "{:?}", friction);
     assert_close("angular momentum", friction.momentum_error, 0.0, 1e-13)?;
