@@ -19,7 +19,7 @@ pub const FORMAT_VERSION: u64 = 3;
 
 /// Version of the numbers in tables. Raise it when any number of a table changes, even in its last digit, or when rows are
 /// dealt out to shards in another way: rows of different versions are not put into one table.
-pub const RESULTS_VERSION: u64 = 9;
+pub const RESULTS_VERSION: u64 = 10;
 
 /// A hash in hexadecimal.
 pub fn hex(bytes: &[u8]) -> String {

@@ -240,6 +240,14 @@ impl PublishedRule {
         at.clipped_unloading((self.recovery)(at)).0
     }
 
+    /// True if the elastic approach at a point of the loading curve is one of the limits, and not the approach of the formulas.
+    #[cold]
+    pub(super) fn limits_approach(&self, indentation: f64, force: f64, spent: f64) -> bool {
+        let at = self.loaded_state(indentation, force, spent);
+        let raw = (self.recovery)(at);
+        at.clipped_unloading(raw).0.peak.elastic_approach != raw.elastic_approach
+    }
+
     /// Why the law has no answer for a peak with the loading work `spent`; `None` if it has an answer.
     #[cold]
     pub(super) fn failure_reason(&self, peak: &ContactState, spent: f64) -> Option<&'static str> {

@@ -90,6 +90,15 @@ impl Law {
         }
     }
 
+    /// True if ε at a state of the loading curve is limited because a published law would recover too much there.
+    pub(crate) fn limits_approach(&self, state: &ContactState) -> bool {
+        let &ContactState { indentation: x, force, .. } = state;
+        match self.rule_while_loading() {
+            UnloadingRule::Published(rule) => rule.limits_approach(x, force, self.loading.work(x)),
+            _ => false,
+        }
+    }
+
     /// The state at x on the loading curve, from which unloading may begin.
     pub fn loaded_state(&self, x: f64) -> ContactState {
         let force = self.loading.force(x);

@@ -21,11 +21,14 @@ pub(super) fn first_kink(rims: &[NormalState; 5], motion: [[f64; 2]; 3], middle:
     shares.flatten().filter(is_far).min_by(f64::total_cmp)
 }
 
-/// The share of a step up to which springs that slip to this side go on slipping: 1 if they do so to its end.
-pub(super) fn sliding_share(rims: &[NormalState; 5], speeds: [f64; 3], side: f64) -> f64 {
-    let until = |closing: [f64; 3]| {
-        let ends = closing[1] < 0.0 || closing[2] < 0.0;
-        if ends { parabola_zero(closing).unwrap_or(0.0) } else { 1.0 }
+/// The share of a step up to which springs that slip to this side go on slipping: 1 if they do so to its end. It is 0 where the stops
+/// move away faster than the springs slip at the start, as behind a joint of the law. The slopes at the start of a step to the
+/// separation are not accurate, because α² may end there as a root of time.
+pub(super) fn sliding_share(rims: &[NormalState; 5], speeds: [f64; 3], side: f64, is_last: bool) -> f64 {
+    let until = |closing: [f64; 3]| match closing.map(|excess| excess < 0.0) {
+        [true, ..] if !is_last => 0.0,
+        [_, false, false] => 1.0,
+        _ => parabola_zero(closing).unwrap_or(0.0),
     };
     slip_speed_excess(rims, speeds, side).map(until).into_iter().fold(1.0, f64::min)
 }

@@ -76,10 +76,10 @@ impl TangentialState {
 
     /// Slides over the middle to the end with all springs at their stops on this side, if they keep slipping; otherwise returns the
     /// fraction of the step up to which they slip. T then equals the contact force, whose impulse is known.
-    fn slide(&mut self, rims: &[NormalState; 5], side: f64, rate: f64, near: f64) -> f64 {
+    fn slide(&mut self, rims: &[NormalState; 5], side: f64, [rate, near]: [f64; 2], is_last: bool) -> f64 {
         let ends = [rims[0], rims[2], rims[4]];
         let speeds = ends.map(|rim| self.speed - side * rate * (rim.impulse - self.rim.impulse));
-        let (share, length) = (sliding_share(rims, speeds, side), rims[4].time - rims[0].time);
+        let (share, length) = (sliding_share(rims, speeds, side, is_last), rims[4].time - rims[0].time);
         // a short rest of a longer step slides too; in a step that is as short as the rest, nothing says that the springs slide
         let share = if share * length > near && (1.0 - share) * length <= near { 1.0 } else { share };
         if share == 1.0 {
@@ -259,7 +259,8 @@ impl<'a> SlipRun<'a> {
         };
         let Some(side) = side.filter(|_| !self.motion.has_limit_jumps) else { return false };
         let step = self.step_from(time, self.length, self.state.speed, Friction::Sliding { side, impulse });
-        let share = self.state.slide(rims, side, self.rate, self.near);
+        let is_last = rims[4].time >= self.motion.durations[1];
+        let share = self.state.slide(rims, side, [self.rate, self.near], is_last);
         if share == 1.0 {
             if let Some(steps) = &mut self.steps {
                 steps.push(step);

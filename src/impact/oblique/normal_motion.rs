@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use super::profile::NormalState;
-use crate::contact::law::{Surface, UnloadingRule};
+use crate::contact::law::{ContactState, Surface, UnloadingRule};
 use crate::impact::problem::forces::{ScaledForces, total_force};
 use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::impact::scaled_impact::hertz_law;
@@ -59,18 +59,22 @@ impl<'a> NormalMotion<'a> {
         };
         if is_published {
             motion.has_limit_jumps |= motion.smooth_ends.iter().any(|&end| motion.limit_jumps_at(end));
-            // from the time on at which a dent begins to form, the stops have a kink
-            let (without_dent, _) = bisect(0.0, durations[0], |time| motion.is_elastic_at(time));
-            motion.smooth_ends.push(without_dent);
+            // the stops have a kink where a dent begins to form, and where a limit of the law ceases to reduce ε
+            let last_where = |from: f64, holds: &dyn Fn(&ContactState) -> bool| {
+                bisect(from, durations[0], |time| motion.loading_state_at(time).is_some_and(|state| holds(&state))).0
+            };
+            let without_dent = last_where(0.0, &|state| state.residual() <= 0.0);
+            let limited = last_where(without_dent, &|state| ground.law.limits_approach(state));
+            motion.smooth_ends.extend([without_dent, limited]);
             motion.smooth_ends.sort_by(f64::total_cmp);
         }
         Ok(motion)
     }
 
-    /// True if a sphere that turned at this time would leave no dent.
-    fn is_elastic_at(&self, time: f64) -> bool {
+    /// The state of the law at a time of compression; `None` behind it.
+    fn loading_state_at(&self, time: f64) -> Option<ContactState> {
         let (at, piece) = self.track.state(time);
-        piece.is_some_and(|piece| self.track.loading_point(piece, &at).state.residual() <= 0.0)
+        piece.map(|piece| self.track.loading_point(piece, &at).state)
     }
 
     /// True if the stop in the middle jumps at a time.

@@ -122,6 +122,40 @@ fn without_slip_the_sphere_swings_on_a_spring() {
     assert_abs_diff_eq!(-rebound.contact_point_restitution, 0.282_596_443_74, epsilon = 1e-6);
 }
 
+/// Below ψ_1 = 1e-8 only the rim slips: slip and friction at any time are in proportion to the angle.
+#[test]
+fn hardly_slipping_trace_is_proportional_to_angle() {
+    let contact = steel(&LawChoice::default());
+    let [small, large] = [1e-9, 1e-6].map(|angle| impact(&contact, approach(3.0, angle, 0.15, 0.0), Some(12)).0.trace);
+    let friction = |row: &TraceRow| row.friction.unwrap();
+    let force = large.iter().map(|row| friction(row).friction_force.abs()).fold(0.0, nan_max);
+    let slip = friction(&large[0]).slip_speed;
+    assert!(force > 0.0 && slip > 0.0 && small.len() == large.len());
+    for (small, large) in small.iter().zip(&large) {
+        let (small, large) = (friction(small), friction(large));
+        assert_abs_diff_eq!(1e3 * small.friction_force, large.friction_force, epsilon = 1e-4 * force);
+        assert_abs_diff_eq!(1e3 * small.slip_speed, large.slip_speed, epsilon = 1e-4 * slip);
+    }
+}
+
+/// Dundurs' β by the shear moduli, for bodies of different Poisson's ratio. It changes its sign with the bodies.
+#[test]
+fn dundurs_beta_is_that_of_the_shear_moduli() {
+    let materials = [(380e9, 0.23), (70e9, 0.42)];
+    let beta = |[(e_1, nu_1), (e_2, nu_2)]: [(f64, f64); 2]| {
+        let sphere = Sphere::elastic(1e-3, Material { youngs_modulus: e_1, poissons_ratio: nu_1 }, 4000.0);
+        let half_space = HalfSpace::flat(Material { youngs_modulus: e_2, poissons_ratio: nu_2 }, None);
+        let contact = Contact::try_new(sphere, half_space, &Plm::default()).unwrap();
+        let [g_1, g_2] = [e_1 / (1.0 + nu_1), e_2 / (1.0 + nu_2)];
+        let want =
+            0.5 * (g_2 * (1.0 - 2.0 * nu_1) - g_1 * (1.0 - 2.0 * nu_2)) / (g_2 * (1.0 - nu_1) + g_1 * (1.0 - nu_2));
+        assert_relative_eq!(contact.dundurs_beta(), want, max_relative = 1e-12);
+        want
+    };
+    let [first, second] = materials;
+    assert_relative_eq!(beta([first, second]), -beta([second, first]), max_relative = 1e-12);
+}
+
 /// A deep dent in a steel of 10 MPa: s_1/s_0 has a limit as the angle goes to 0, which another sum over springs puts at −0.5374 ± 0.001. Once it
 /// ran away in dents of more than 1e6 yield indentations: 6.0 at 1e-7 degrees, and no answer below.
 #[test]
@@ -217,6 +251,33 @@ fn gross_sliding_has_closed_form_and_its_limit() {
     }
 }
 
+/// The closed form of gross sliding is used only where a run gives the same: where no spring sticks before the peak or the separation.
+#[test]
+fn closed_form_of_sliding_is_that_of_a_run() {
+    let hertz = LawChoice::from_name("hertz").unwrap();
+    let of_exponent = |exponent| LawChoice::Plm(Plm { exponent: UnloadingExponent::Fixed(exponent), ..Plm::default() });
+    for (law, speed) in [(hertz, 1.0), (LawChoice::default(), 1.0), (of_exponent(1.1), 0.05), (of_exponent(1.3), 3.0)] {
+        let solid = 0.4 * steel(&law).mass() * 25e-6;
+        for share in [0.05, 0.25, 1.0, 20.0] {
+            let contact = steel(&law).with_moment_of_inertia(share * solid);
+            let row = contact.row(speed, &Solver::AUTO).unwrap();
+            let (chi, e, n) = (contact.chi(), row.restitution, contact.closed_form(speed).unwrap().unloading_exponent);
+            let (_, scaled, q) = contact.scaling(speed).unwrap();
+            let motion = NormalMotion::new(scaled, q, &ScaledForces::NONE).unwrap();
+            let end = 2.0 * chi * (1.0 + e) - e * (2.0 * n - 2.0).min(1.0);
+            let begins = end.max(2.0 * chi + 1.0);
+            for psi in [0.7, 0.9, 0.98, 1.02, 1.1, 1.3].into_iter().flat_map(|part| [part * end, part * begins]) {
+                // straight down with a spin that gives this psi_1 at mu = 0.1
+                let spin = -psi * 0.1 * speed / (4.0 * contact.shear_ratio() * 5e-3);
+                let rebound = contact.row(approach(speed, 0.0, 0.1, spin), &Solver::AUTO).unwrap().rebound.unwrap();
+                let want = motion.ratio(psi * q, chi, OF_ROWS).unwrap();
+                assert_abs_diff_eq!(-rebound.contact_point_restitution, want, epsilon = 2e-5);
+                assert!(!(psi < end && rebound.is_sliding), "{share} {psi}");
+            }
+        }
+    }
+}
+
 #[test]
 fn limits_without_friction_without_slip_and_without_anything() {
     let contact = alumina_on_glass();
@@ -224,6 +285,13 @@ fn limits_without_friction_without_slip_and_without_anything() {
     let (_, free) = impact(&contact, approach(3.9, 40.0, 0.0, 120.0), None);
     assert_eq!((free.tangential.speed, free.tangential.spin), (3.9 * 40_f64.to_radians().sin(), 120.0));
     assert!(free.is_sliding && free.impulse_ratio == 0.0 && free.loss_fraction == 0.0);
+    // also where the contact is integrated
+    for setting in ["damping.viscous=0.1", "damping.hunt_crossley=0.1", "law=walton_braun", "law=jackson_green"] {
+        let (impact, free) = impact(&with_forces::under(&[setting]), approach(3.0, 20.0, 0.0, 120.0), Some(12));
+        let before = approach(3.0, 20.0, 0.0, 120.0).tangential;
+        assert_eq!(free.tangential, before, "{setting}");
+        assert!(impact.trace.iter().all(|row| row.friction.unwrap().tangential == before), "{setting}");
+    }
     // rolling: the contact point does not slip, and nothing happens
     let rolling = 3.9 * 20_f64.to_radians().sin() / 2.5e-3;
     let exact = Approach::at_angle(3.9, 0.0, 0.0, 0.3);
