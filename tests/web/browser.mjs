@@ -77,13 +77,19 @@ export async function browse() {
   const chromium = await start(BROWSER, options, /DevTools listening on ws:\/\/([^/]*)/);
   const driver = await start("chromedriver", ["--port=0"], /successfully on port (\d+)/);
   const ask = async (method, path, body) => {
-    const answer = await fetch(`http://127.0.0.1:${driver.found}${path}`, { method, body: body && JSON.stringify(body) });
+    const answer = await fetch(`http://127.0.0.1:${driver.found}${path}`, {
+      method,
+      body: body && JSON.stringify(body),
+    });
     const { value } = await answer.json();
     if (value?.error) throw new Error(`${value.error}: ${value.message}`);
     return value;
   };
   const debuggerAddress = chromium.found;
-  const wanted = { "goog:chromeOptions": { debuggerAddress }, "goog:loggingPrefs": { performance: "ALL", browser: "ALL" } };
+  const wanted = {
+    "goog:chromeOptions": { debuggerAddress },
+    "goog:loggingPrefs": { performance: "ALL", browser: "ALL" },
+  };
   const { sessionId } = await ask("POST", "/session", { capabilities: { alwaysMatch: wanted } });
   const post = (path, body) => ask("POST", `/session/${sessionId}${path}`, body ?? {});
   const tell = (cmd, params) => post("/goog/cdp/execute", { cmd, params });

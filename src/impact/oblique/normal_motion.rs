@@ -71,7 +71,7 @@ impl<'a> NormalMotion<'a> {
         Ok(motion)
     }
 
-    /// The state of the law at a time of compression; `None` behind it.
+    /// The state of the law at a time of the compression; `None` after the peak.
     fn loading_state_at(&self, time: f64) -> Option<ContactState> {
         let (at, piece) = self.track.state(time);
         piece.map(|piece| self.track.loading_point(piece, &at).state)
