@@ -210,11 +210,13 @@ fn a_step_writes_all_or_nothing() {
         assert!((stored - energy).abs() < 1e-12 * energy && history.plastic == plastic && friction[0] < 0.0);
         // only one of slip and friction, a bad number, and no contact or history
         let kept = (history.memory, history.force, friction, stored);
+        // one pointer for all steps, because a new mutable borrow would end it
+        let given = friction.as_mut_ptr();
         for (depth, coefficient, slip, rubbed) in [
-            (DEPTH, 0.2, null(), friction.as_mut_ptr()),
+            (DEPTH, 0.2, null(), given),
             (DEPTH, 0.2, slip.as_ptr(), null_mut()),
-            (f64::NAN, 0.2, slip.as_ptr(), friction.as_mut_ptr()),
-            (DEPTH, -0.2, slip.as_ptr(), friction.as_mut_ptr()),
+            (f64::NAN, 0.2, slip.as_ptr(), given),
+            (DEPTH, -0.2, slip.as_ptr(), given),
         ] {
             assert_eq!(step(depth, &raw mut history, coefficient, slip, rubbed, &raw mut stored), FAILURE);
         }
