@@ -74,22 +74,20 @@ impl TangentialState {
         [first / rate, second / rate, third / rate]
     }
 
-    /// Slides over the middle to the end with all springs at their stops on this side, if they keep slipping; otherwise returns the
-    /// fraction of the step up to which they slip. T then equals the contact force, whose impulse is known.
-    fn slide(&mut self, rims: &[NormalState; 5], side: f64, [rate, near]: [f64; 2], is_last: bool) -> f64 {
-        let ends = [rims[0], rims[2], rims[4]];
-        let speeds = ends.map(|rim| self.speed - side * rate * (rim.impulse - self.rim.impulse));
-        let (share, length) = (sliding_share(rims, speeds, side, is_last), rims[4].time - rims[0].time);
-        // a short rest of a longer step slides too; in a step that is as short as the rest, nothing says that the springs slide
-        let share = if share * length > near && (1.0 - share) * length <= near { 1.0 } else { share };
-        if share == 1.0 {
-            self.profile.slide(&rims[4], side);
-            let friction = ends.map(|rim| -side * rate * rim.force());
-            (self.speed, self.acceleration) = (speeds[2], friction[2]);
-            self.jerk = parabola_slopes(friction)[2] / length;
-            self.rim = rims[4];
-        }
-        share
+    /// M' at start, middle and end of a step in which all springs are at their stops on this side. T then equals the contact force,
+    /// whose impulse is known.
+    fn sliding_speeds(&self, rims: &[NormalState; 5], side: f64, rate: f64) -> [f64; 3] {
+        [rims[0], rims[2], rims[4]].map(|rim| self.speed - side * rate * (rim.impulse - self.rim.impulse))
+    }
+
+    /// Slides over a step with all springs at their stops on this side.
+    fn slide(&mut self, rims: &[NormalState; 5], side: f64, rate: f64) {
+        let [.., speed] = self.sliding_speeds(rims, side, rate);
+        let friction = [rims[0], rims[2], rims[4]].map(|rim| -side * rate * rim.force());
+        self.profile.slide(&rims[4], side);
+        (self.speed, self.acceleration) = (speed, friction[2]);
+        self.jerk = parabola_slopes(friction)[2] / (rims[4].time - rims[0].time);
+        self.rim = rims[4];
     }
 
     /// M' and M.
@@ -259,9 +257,9 @@ impl<'a> SlipRun<'a> {
         };
         let Some(side) = side.filter(|_| !self.motion.has_limit_jumps) else { return false };
         let step = self.step_from(time, self.length, self.state.speed, Friction::Sliding { side, impulse });
-        let is_last = rims[4].time >= self.motion.durations[1];
-        let share = self.state.slide(rims, side, [self.rate, self.near], is_last);
+        let share = self.sliding_share_of_step(rims, side);
         if share == 1.0 {
+            self.state.slide(rims, side, self.rate);
             if let Some(steps) = &mut self.steps {
                 steps.push(step);
             }
@@ -273,6 +271,15 @@ impl<'a> SlipRun<'a> {
             self.length *= share;
         }
         slips
+    }
+
+    /// The share of a step up to which all springs slip to this side.
+    fn sliding_share_of_step(&self, rims: &[NormalState; 5], side: f64) -> f64 {
+        let is_last = rims[4].time >= self.motion.durations[1];
+        let speeds = self.state.sliding_speeds(rims, side, self.rate);
+        let (share, length) = (sliding_share(rims, speeds, side, is_last), rims[4].time - rims[0].time);
+        // a short rest of a longer step slides too; in a step that is as short as the rest, nothing says that the springs slide
+        if share * length > self.near && (1.0 - share) * length <= self.near { 1.0 } else { share }
     }
 
     /// Makes a step in which springs stick, as two half steps, if a kink or the error does not shorten it. Sets the length of the next step.
