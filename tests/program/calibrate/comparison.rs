@@ -42,7 +42,7 @@ fn measurements_stand_beside_the_law() {
 /// three standard deviations are outliers: chi-square and its degrees of freedom are those of the other values.
 #[test]
 fn outliers_have_likelihood_of_student_distribution() {
-    let data = super::fits::restitutions().replace("0.5,0.6623", "0.5,0.95").replace("4,0.4871", "4,0.80");
+    let data = super::table::data("outliers");
     let robust = "data = \"d.csv\"\nfree = {}\nnoise = { restitution = 0.01 }\nrobust = \"student-t\"\n";
     let (desk, summary) = run_calibration(&super::fits::scenario(robust), &data, &[], 0);
     let table = desk.read("o/residuals.csv");

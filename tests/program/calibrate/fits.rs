@@ -214,7 +214,7 @@ fn interval_includes_second_basin_below_its_level() {
 
 #[test]
 fn outliers_shift_robust_estimate_below_one_sd() {
-    let outliers = restitutions().replace("0.5,0.6623", "0.5,0.95").replace("4,0.4871", "4,0.80");
+    let outliers = super::table::data("outliers");
     let noise = "noise = { restitution = 0.01 }\nrobust = ";
     let of = |data: &str, robust: &str, code| {
         let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}{noise}\"{robust}\""));

@@ -1,5 +1,6 @@
 //! Which bodies flow where a strength rises with the strain rate, and the relaxation at the turn.
 
+use super::impulse;
 use crate::common::prelude::*;
 use crate::impact::strain_rate::{COOK, COWPER, rated};
 
@@ -122,8 +123,7 @@ fn plate_keeps_momentum_at_relaxation() {
             let [before, after] = [impact.trace[at - 1], impact.trace[at]];
             assert!(before.event == Some(Event::Peak) && before.force > 1.1 * after.force);
             assert!((after.sphere_speed.unwrap() - before.sphere_speed.unwrap()).abs() < 1e-13);
-            let rows = impact.trace.windows(2);
-            let impulse: f64 = rows.map(|two| (two[1].time - two[0].time) * 0.5 * (two[0].force + two[1].force)).sum();
+            let impulse = impulse(&impact.trace);
             let momentum = contact.mass() * (1.0 + impact.row.restitution) * 3.0;
             assert!(relative_error(impulse, momentum) < 1e-6, "{impulse} {momentum}");
             let shares = impact.row.recovered_fraction()

@@ -1,5 +1,6 @@
 //! Series on one spot where a strength rises with the strain rate: a dent becomes no shallower, and no impact gains energy.
 
+use super::impulse;
 use crate::common::prelude::*;
 
 /// The impacts of a series on one spot, by the closed form where there is one.
@@ -177,8 +178,7 @@ fn plate_keeps_momentum_behind_old_dent() {
             |speed: f64| contact.impact_on(&mut spot, speed, &solver(Method::Rk8, 1e-11), Some(4001)).unwrap();
         let (first, again) = (shot(slow), shot(3.0));
         assert!(again.row.residual_indentation > 1.5 * first.row.residual_indentation);
-        let rows = again.trace.windows(2);
-        let impulse: f64 = rows.map(|two| (two[1].time - two[0].time) * 0.5 * (two[0].force + two[1].force)).sum();
+        let impulse = impulse(&again.trace);
         let momentum = contact.mass() * (1.0 + again.row.restitution) * 3.0;
         assert!(relative_error(impulse, momentum) < 1e-6, "{impulse} {momentum}");
         assert!(again.energy.balance_error < 1e-9, "{}", again.energy.balance_error);
@@ -220,11 +220,10 @@ fn plate_keeps_momentum_where_force_drops() {
     let first = light.impact_on(&mut spot, 10.0, &solver(Method::Rk8, 1e-11), None).unwrap();
     let again = heavy.impact_on(&mut spot, 0.1, &solver(Method::Rk8, 1e-11), Some(10_001)).unwrap();
     assert!(again.row.residual_indentation > 1.5 * first.row.residual_indentation);
-    let rows = again.trace.windows(2);
     let ends = |two: &&[TraceRow]| two[0].branch == Branch::Reloading && two[1].branch == Branch::Plastic;
-    let [end, start] = rows.clone().find(ends).unwrap() else { panic!() };
+    let [end, start] = again.trace.windows(2).find(ends).unwrap() else { panic!() };
     assert!(start.force < 0.8 * end.force, "{} {}", start.force, end.force);
-    let impulse: f64 = rows.map(|two| (two[1].time - two[0].time) * 0.5 * (two[0].force + two[1].force)).sum();
+    let impulse = impulse(&again.trace);
     let momentum = heavy.mass() * (0.1 + again.rebound_speed);
     assert!(relative_error(impulse, momentum) < 1e-4, "{impulse} {momentum}");
     assert!(again.energy.balance_error < 1e-9, "{}", again.energy.balance_error);
