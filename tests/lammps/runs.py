@@ -51,7 +51,7 @@ def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool | None = False
 
 
 def assert_same_on_four_ranks(plugin: Path, script: str, out: Path, **run: object) -> None:
-    """For a short run, as four ranks wait for each other on two cores."""
+    """Compares the dumps. The run has to be short, because four ranks wait for each other on two cores."""
     ends = []
     for ranks in (1, 4):
         lammps(plugin, script, ranks=ranks, out=out, **run)
